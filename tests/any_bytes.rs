@@ -1,7 +1,7 @@
-//! Whatever is in a file: the host refuses it or plays it, and never panics.
+//! The host refuses or plays a file with any bytes, and never panics.
 //!
-//! The crates ask their own readers the same; here files go the whole way of the host, from
-//! the disk to a session that is ready to run.
+//! The crates test their own readers; here files pass through the whole host, from the disk to a
+//! session that is ready to run.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
@@ -17,7 +17,6 @@ use scene::{Scene, check_file};
 const BACH: &[u8] = include_bytes!("../configs/performances/bach-bwv-846.mid");
 const MIXED: &[u8] = include_bytes!("../configs/scenes/mixed.toml");
 
-/// Some of `bytes` are replaced, and the end may be missing.
 fn damaged(bytes: &'static [u8]) -> impl Strategy<Value = Vec<u8>> {
     let places = vec((any::<Index>(), any::<u8>()), 0..4);
     (places, any::<Index>(), any::<bool>()).prop_map(move |(places, end, is_cut)| {
@@ -30,7 +29,6 @@ fn damaged(bytes: &'static [u8]) -> impl Strategy<Value = Vec<u8>> {
     })
 }
 
-/// A file that holds `bytes` as long as `work` takes.
 fn with_file<T>(name: &str, bytes: &[u8], work: impl FnOnce(&str) -> T) -> T {
     let name = format!("{}-{name}", std::process::id());
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -40,7 +38,6 @@ fn with_file<T>(name: &str, bytes: &[u8], work: impl FnOnce(&str) -> T) -> T {
     done
 }
 
-/// A little of the scene, in virtual time.
 fn play(scene: &Scene) {
     let options = RunOptions { duration: Some(2.0), virtual_time: true };
     if let Ok(session) = RunSession::prepare(scene, options, &|_| {}) {
@@ -84,7 +81,6 @@ proptest! {
     }
 }
 
-/// Plays the scene `springs` with the performance at `path`, unless the scene is refused for it.
 fn perform(path: &str) {
     let overrides = [(String::from("pianist.performance"), String::from(path))];
     if let Ok(scene) = Scene::load(&scene::Library::default(), "springs", &overrides) {

@@ -1,4 +1,4 @@
-//! No crate knows a higher one, and some know nearly nobody: read from the manifests.
+//! No crate depends on a higher one, and some on nearly none: read from the manifests.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::BTreeSet;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{Document, Item};
 
-/// Our crates, each below those that follow it: a crate knows only what stands before it.
+/// Our crates, each below those that follow it.
 const FLOORS: [&str; 21] = [
     "keyboard",
     "documents",
@@ -33,7 +33,7 @@ const FLOORS: [&str; 21] = [
     "letoff",
 ];
 
-/// Crates that know only these of ours, with the reason.
+/// Crates that may depend only on these of ours, with the reason.
 const KNOWS_ONLY: [(&str, &[&str], &str); 11] = [
     ("keyboard", &[], "it is words"),
     ("documents", &[], "files of people, of any kind"),
@@ -51,7 +51,6 @@ const KNOWS_ONLY: [(&str, &[&str], &str); 11] = [
 /// Pairs that the order of floors would allow, with the reason.
 const NEVER: [(&str, &str, &str); 1] = [("engine", "boards", "a voice does not know wires")];
 
-/// Most crates under `crates/`.
 const MOST_CRATES: usize = 19;
 
 #[test]
@@ -66,7 +65,7 @@ fn no_crate_knows_a_higher_one() {
     }
 }
 
-/// Most bytes of the documents that a newcomer reads whole.
+/// Size limits of the documents that a newcomer reads whole (bytes).
 const SHORT: [(&str, u64); 3] =
     [("README.md", 8_000), ("ARCHITECTURE.md", 20_000), ("CONTRIBUTING.md", 10_000)];
 
@@ -161,7 +160,6 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The manifests of the root and of every member.
 fn manifests() -> Vec<PathBuf> {
     let members = fs::read_dir(root().join("crates")).expect("crates/");
     let mut paths: Vec<_> = members
@@ -174,7 +172,7 @@ fn manifests() -> Vec<PathBuf> {
     paths
 }
 
-/// A package's name, and those of its dependencies that are ours; its tests may know more.
+/// Returns a package's name, and those of its dependencies that are ours; its tests may use more.
 fn read(manifest: &Path) -> (String, Vec<String>) {
     let name = parse(manifest)["package"]["name"].as_str().expect("a name").to_owned();
     let all = dependencies(manifest).into_iter().filter(|(kind, _)| !kind.starts_with("dev-"));
@@ -185,7 +183,6 @@ fn parse(manifest: &Path) -> Document<String> {
     fs::read_to_string(manifest).expect("a manifest").parse().expect("valid TOML")
 }
 
-/// The dependencies of a package with their kind, those for some targets only as well.
 fn dependencies(manifest: &Path) -> Vec<(&'static str, String)> {
     let document = parse(manifest);
     let targets = document.get("target").and_then(Item::as_table_like);
@@ -201,7 +198,6 @@ fn dependencies(manifest: &Path) -> Vec<(&'static str, String)> {
         .collect()
 }
 
-/// All Rust below `folder`, one file after the other; nothing if there is no such folder.
 fn sources(folder: &Path) -> String {
     let entries = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
     let text = |path: PathBuf| {
@@ -216,7 +212,6 @@ fn sources(folder: &Path) -> String {
     entries.map(|entry| text(entry.path())).collect()
 }
 
-/// Whether `text` has `word`, not as a part of a longer one.
 fn names(text: &str, word: &str) -> bool {
     text.split(|letter: char| !letter.is_alphanumeric() && letter != '_').any(|it| it == word)
 }

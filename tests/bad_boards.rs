@@ -1,5 +1,4 @@
-//! Boards with clocks, sensors or firmware that are not as they should be, on the host's own way
-//! to them, in virtual time.
+//! Boards with faulty clocks, sensors or firmware, on the host's own path to them, in virtual time.
 #![allow(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::cell::Cell;
@@ -23,46 +22,41 @@ use scheduler::port::{FinishedTick, TickObserver};
 
 use crate::stage::{Stage, scene, stroke};
 
-/// A tick (us).
 const TICK_US: u64 = 1_000;
-/// How often a board looks after its link (us), as `letoff board` does.
+/// Interval at which a board polls its link (us), as in `letoff board`.
 const LOOK_US: u64 = 500;
-/// How much later it is whenever somebody asks for the time while boards are brought up (us).
+/// Advance of the clock at each query while boards are brought up (us).
 const ASKED_US: u64 = 250;
-/// Ticks of a run.
 const TICKS: u64 = 3_000;
-/// Largest force on a key that nobody touches (N).
+/// Largest force on an untouched key (N).
 const NONE: f64 = 0.5;
-/// The key of board 3 that is played: C4, and its place on the board.
+/// The played key of board 3: C4, and its slot.
 const PLAYED: (usize, usize) = (39, 6);
 
 thread_local! {
-    /// What time it is on this thread (us), and how much later it is whenever it is asked for.
+    /// Time on this thread (us), advanced at each query.
     static NOW: Cell<u64> = const { Cell::new(1_000_000) };
     static LATER: Cell<u64> = const { Cell::new(ASKED_US) };
-    /// How much too fast the boards of this thread live.
+    /// Relative excess rate of this thread's board clocks.
     static DRIFT: Cell<f64> = const { Cell::new(0.0) };
-    /// What is wrong with them.
     static WRONG: Cell<Wrong> = const { Cell::new(Wrong::Nothing) };
-    /// Largest force of each key that they were sent last (mN), and how often they were told to
-    /// render forces.
+    /// Largest force of each key in the last frame (mN), and number of armings.
     static SENT: Cell<[u16; KEYS_PER_BOARD]> = const { Cell::new([0; KEYS_PER_BOARD]) };
     static ARMINGS: Cell<u32> = const { Cell::new(0) };
 }
 
-/// What may be wrong with a board beside its clock.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Wrong {
     Nothing,
-    /// Its samples say that it renders no force.
+    /// Its samples report that it renders no force.
     Flag,
-    /// Its samples are those of a key less.
+    /// Its samples have one key less.
     KeyLess,
-    /// A key has failed, as its hello says.
+    /// Its hello reports a failed key.
     KeyFault,
-    /// The key that is played reads so much more (um).
+    /// Offset of the played key's reading (um).
     Elsewhere(i32),
-    /// The key that is played reads up to so much more or less, by chance (um).
+    /// Random error of the played key's reading, up to this (um).
     Noise(i32),
 }
 
@@ -71,14 +65,13 @@ fn now_us() -> u64 {
     NOW.get()
 }
 
-/// The host's end of a wire behind which a board lives by a clock of its own.
+/// Host end of a wire to a board with its own clock.
 struct Wire {
     board: SimulatedBoard,
     loopback: Loopback,
-    /// The host's time until which the board has lived, and its own (us).
+    /// Host time of the board's last step, and the board's own (us).
     looked: u64,
     lived: f64,
-    /// A number of chance.
     chance: u64,
 }
 
@@ -109,7 +102,6 @@ impl Wire {
         self.board.advance(tick, &mut self.loopback.board_end());
     }
 
-    /// Samples as they leave a board with which something is wrong.
     fn distorted(&mut self, samples: KeySamples) -> KeySamples {
         let mut distorted = samples;
         let noise = |most: i32, chance: u64| {
@@ -176,10 +168,10 @@ impl Link for Wire {
     }
 }
 
-/// Longest time in which a board is brought up (us).
+/// Longest bring-up of a board (us).
 const PATIENCE: u64 = 4_000_000;
 
-/// Brings up board 3, whose clock runs too fast by `drift`.
+/// Brings up board 3 with a clock that is too fast by `drift`.
 fn armed(drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
     armed_within(PATIENCE, drift, n_strokes)
 }
@@ -204,12 +196,11 @@ fn armed_within(patience: u64, drift: f64, n_strokes: u32) -> Result<Keybed<Arme
     keybed.arm(terms, patience)
 }
 
-/// What all voices did.
 #[derive(Default)]
 struct Heard {
     strikes: u32,
     faults: u32,
-    /// Largest force that was sent (N).
+    /// Largest force sent (N).
     force: f64,
 }
 
@@ -223,15 +214,12 @@ impl TickObserver for Heard {
     }
 }
 
-/// The voices of the scene `springs` on the keys of `keybed`.
 fn staged(keybed: Keybed<Armed>) -> Stage<Keybed<Armed>, Heard> {
     LATER.set(0);
-    // Every tick is a little late, as any is.
     NOW.set(NOW.get() + 137);
     Stage::new(&scene("springs", &[]), keybed).watched_by(Heard::default())
 }
 
-/// Runs `ticks` more.
 fn run(stage: &mut Stage<Keybed<Armed>, Heard>, ticks: u64) {
     for _ in 0..ticks {
         NOW.set(NOW.get() + TICK_US);
@@ -239,7 +227,7 @@ fn run(stage: &mut Stage<Keybed<Armed>, Heard>, ticks: u64) {
     }
 }
 
-/// Does the same at every drift in parts of a hundred, each on a thread and a clock of its own.
+/// Calls `check` at every drift in percent, each on a thread and a clock of its own.
 fn at_every_drift(check: impl Fn(f64) + Sync) {
     let drifts = [-5.0, -3.3, -3.0, -2.0, -1.0, -0.02, 0.0, 0.02, 1.0, 1.5, 2.0, 3.0, 3.3, 5.0];
     std::thread::scope(|scope| {
@@ -250,7 +238,6 @@ fn at_every_drift(check: impl Fn(f64) + Sync) {
     });
 }
 
-/// Whether a clock that is so much too fast is to be accepted.
 fn is_tolerable(drift: f64) -> bool {
     drift.abs() <= 0.03
 }
@@ -304,13 +291,12 @@ fn a_board_whose_clock_leaves_the_tolerance_in_a_run_is_disarmed_and_renders_not
     let BoardStage::Barred(ArmLockout::Clock(ppm)) = report.condition.state else {
         panic!("it is used as if nothing was: {report:?}");
     };
-    // As soon as that is sure, and before it is known exactly.
+    // As soon as it is certain, and before it is known exactly.
     assert!((30_000..46_000).contains(&ppm), "{ppm}");
     assert_eq!(SENT.get(), [0; KEYS_PER_BOARD]);
 }
 
-/// Brings up board 3 with which something is wrong, and returns why it is refused, and after how
-/// long (s).
+/// Returns the refusal of a faulty board 3, and the time until it (s).
 fn refused(wrong: Wrong) -> (String, f64) {
     WRONG.set(wrong);
     let start = NOW.get();
@@ -341,7 +327,6 @@ fn a_board_that_answers_is_not_called_gone_when_time_is_up() {
     assert!(sentence.starts_with(words), "{sentence}");
 }
 
-/// What became of board 3 if this goes wrong with it while its keys are played.
 fn gone_wrong(wrong: Wrong) -> Stage<Keybed<Armed>, Heard> {
     let mut stage = staged(armed(0.0, 20).expect("a good board"));
     run(&mut stage, TICKS / 2);
@@ -379,8 +364,8 @@ fn a_board_that_is_well_again_is_armed_after_a_while() {
     assert_eq!((report.condition.state, report.condition.armings), (BoardStage::Armed, 2));
 }
 
-/// Asserts that a key which reads nonsense is sent nothing after some `ticks`, and never more than
-/// `most` (N); and that its neighbours go on.
+/// Asserts that a key with invalid readings is sent nothing after some `ticks`, and never more than
+/// `most` (N); and that its neighbours continue.
 #[track_caller]
 fn check_muted(wrong: Wrong, reason: KeyFault, ticks: u64, most: f64) {
     WRONG.set(Wrong::Nothing);

@@ -1,4 +1,4 @@
-//! Every file in configs/ is good, and none is left out of the program.
+//! Every file in configs/ is valid, and embedded in the program.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::BTreeSet;
@@ -64,7 +64,6 @@ fn no_file_in_configs_is_of_an_unknown_kind() {
     }
 }
 
-/// Asserts that every file in `folder` is a good `kind`, and that `embedded` are all of them.
 #[track_caller]
 fn check_shelf(folder: &str, kind: FileKind, embedded: &BTreeSet<String>) {
     let paths = files(folder, "toml");
@@ -74,7 +73,6 @@ fn check_shelf(folder: &str, kind: FileKind, embedded: &BTreeSet<String>) {
     assert_eq!(&names(&paths), embedded);
 }
 
-/// The files in a folder of configs/ that end in `ending`.
 fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(configs().join(folder)).expect("a folder of configs/");
     let paths = entries.filter_map(Result::ok).map(|entry| entry.path());

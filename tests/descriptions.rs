@@ -1,4 +1,4 @@
-//! Descriptions of models through the program that people type: checked, derived, simulated, played.
+//! Model descriptions through the command: checked, derived, simulated, played.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,6 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every description that is shipped.
 fn shipped() -> Vec<PathBuf> {
     let mut all: Vec<PathBuf> = Vec::new();
     let listed = |folder: PathBuf| std::fs::read_dir(folder).expect("a folder").flatten();
@@ -111,7 +110,6 @@ fn equations_are_printed_and_a_first_file_is_written() {
     assert_eq!(said.code, Some(2), "a file that is there is left alone: {said:?}");
 }
 
-/// Plays three seconds of a piece on all keys, each of them the model of a file below the root.
 fn play(name: &str, file: &str, preset: &str) {
     let folder = folder(name);
     let file = root().join(file);

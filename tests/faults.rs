@@ -1,4 +1,4 @@
-//! A key's sensor or wire fails; its neighbours never notice, and it fades and comes back.
+//! A key's sensor or wire fails: its neighbours are unaffected, and it fades and returns.
 
 use std::ops::Range;
 
@@ -13,16 +13,15 @@ use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use crate::stage::broken_sensor::BrokenSensor;
 use crate::stage::{Nobody, Stage, key, keybed, play_all, scene, stroke};
 
-/// The key whose sensor fails: held down, so that it should feel a force all the time.
+/// The key with the failing sensor: held down, so that it should always feel a force.
 const FAILING: usize = 40;
 /// Ticks of a run, a millisecond each.
 const TICKS: u64 = 5500;
-/// When something is wrong; by then the hammer of the key that is held has come to rest.
+/// Ticks of the fault; by then the hammer of the held key has come to rest.
 const WRONG: Range<u64> = 4000..4060;
-/// Ticks from the first that is held to the first without force: 20 ms.
+/// Ticks from the first held one to the first without force: 20 ms.
 const FADE: u64 = 20;
 
-/// All keys are played, and the one that will fail is held down.
 fn hands(scene: &Scene) -> SimulatedKeybed {
     let mut keybed = keybed(scene);
     play_all(&mut keybed, 5.5);
@@ -30,7 +29,7 @@ fn hands(scene: &Scene) -> SimulatedKeybed {
     keybed
 }
 
-/// What every key was sent in every tick (N), and how many voices faulted in it.
+/// Forces on every key in every tick (N), and the number of faulted voices in it.
 struct Felt {
     forces: Vec<[f64; KEYS]>,
     faults: Vec<u32>,
@@ -57,7 +56,7 @@ fn index(tick: u64) -> usize {
     usize::try_from(tick).unwrap_or(usize::MAX)
 }
 
-/// Asserts that keys not in `disturbed` feel the same to the last bit, and that those do not.
+/// Asserts that keys not in `disturbed` feel the same to the last bit, and those do not.
 #[track_caller]
 fn check_neighbours(healthy: &Felt, felt: &Felt, disturbed: &Range<usize>) {
     let mut differed = false;
@@ -71,8 +70,8 @@ fn check_neighbours(healthy: &Felt, felt: &Felt, disturbed: &Range<usize>) {
     assert!(differed, "nothing was disturbed");
 }
 
-/// Asserts that the failing key is held at `last_good`, fades in 20 ms, and comes back after
-/// tick `back`, without a step on the way.
+/// Asserts that the failing key is held at `last_good`, fades in 20 ms, and returns after tick
+/// `back`, without a step on the way.
 #[track_caller]
 fn check_fade(felt: &Felt, last_good: u64, back: u64) {
     let at = |tick: u64| felt.forces[index(tick)][FAILING];
@@ -84,8 +83,8 @@ fn check_fade(felt: &Felt, last_good: u64, back: u64) {
     }
     let after = at(TICKS - 1);
     assert!((after - held).abs() < 0.05 * held, "{held} N before, {after} N after");
-    // A blend from or to the force takes the fade; a step would be all of it in one tick.
-    // The key moves under the finger meanwhile, and the hammer swings: twice as much again.
+    // A blend from or to the force takes the fade; a step would be all of it in one tick. Meanwhile
+    // the key moves under the finger, and the hammer swings: twice as much again.
     let step = 3.0 * held / FADE as f64;
     for tick in last_good..TICKS - 1 {
         let change = (at(tick + 1) - at(tick)).abs();
@@ -118,7 +117,6 @@ fn one_nan_is_a_fault_that_fades_whole() {
     check_neighbours(&healthy(), &felt, &(FAILING..FAILING + 1));
 }
 
-/// A run in which the wire of the failing key's board has `plan`.
 fn disturbed(plan: FaultPlan) -> (Felt, Stage<SimulatedKeybed, Nobody>) {
     let scene = scene("springs", &[]);
     let mut bus = hands(&scene);
@@ -187,7 +185,6 @@ fn a_board_that_was_silent_fades_and_comes_back_when_it_is_armed() {
     assert_eq!(stage.bus.board_counts(board()).trips, 1);
 }
 
-/// Hears when the note of the failing key ends.
 #[derive(Default)]
 struct Ends(Vec<u64>);
 
@@ -199,7 +196,7 @@ impl TickObserver for Ends {
     }
 }
 
-/// Returns the ticks in which the note of the failing key, which is held on `bus`, ends.
+/// Returns the ticks in which the note of the failing key, held on `bus`, ends.
 fn ends<B: KeyBus>(bus: B) -> Vec<u64> {
     let mut stage = Stage::new(&scene("springs", &[]), bus).watched_by(Ends::default());
     for _ in 0..TICKS {
@@ -237,7 +234,7 @@ fn corrupt_frames_are_counted_and_never_acted_on() {
     // A flipped bit may make a zero, which cuts a frame in two, or unmake the closing one.
     assert!(refused.abs_diff(flipped) <= flipped / 10, "{refused} of {flipped}");
     assert_eq!(felt.faults.iter().sum::<u32>(), 0);
-    // The key is held: whatever was lost on the way, it never feels a step.
+    // The key is held: it never feels a step, in spite of all losses.
     for (tick, pair) in felt.forces.windows(2).enumerate().skip(4000) {
         let change = (pair[1][FAILING] - pair[0][FAILING]).abs();
         assert!(change < 0.1, "{change} N after tick {tick}");

@@ -1,11 +1,10 @@
-//! Fidelities: what a budget leaves of an action.
+//! Fidelities: the part of an action that a budget permits.
 
 use host::session::choose_fidelity;
 use scene::Scene;
 
 use crate::stage::scene;
 
-/// One octave of the grand, as much of it as `budget` of one lane allows.
 fn octave(budget: &str) -> Scene {
     let changes = [
         ("keys.0.instrument", "grand"),

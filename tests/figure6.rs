@@ -1,4 +1,4 @@
-//! `letoff lab figure6`: the paper's experiment as people run it.
+//! `letoff lab figure6`: the paper's experiment as a user runs it.
 
 use std::fs;
 use std::path::Path;
@@ -9,15 +9,12 @@ use scheduler::port::{FinishedTick, TickObserver};
 use crate::letoff::{check_words, folder, run};
 use crate::stage::{self, Stage, key, keybed};
 
-/// The figure in the README.
 const SHOWN: &str = "crates/lab/src/figure6/figure6.svg";
 
-/// A file of ours.
 fn committed(path: &str) -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a file of ours")
 }
 
-/// All text of a picture.
 fn texts(svg: &str) -> Vec<&str> {
     let rests = svg.split("<text").skip(1).filter_map(|it| it.split_once('>'));
     rests.filter_map(|(_, rest)| rest.split_once('<')).map(|(text, _)| text.trim()).collect()
@@ -74,8 +71,8 @@ fn another_pace_has_its_servo_and_what_is_wrong_is_told_in_a_sentence() {
     check_words(&said, &["cannot write file/in", "choose another --out"]);
 }
 
-/// Leads middle C of `scene` to each depth (parts of its dip) for so long (tenths of a second); returns how many
-/// events and strikes there were after each.
+/// Moves middle C of `scene` to each depth (fraction of its dip) for a time (0.1 s); returns the
+/// number of events and strikes after each.
 fn thrown<const N: usize>(scene: &str, depths: [(f64, u32); N]) -> [(u32, usize); N] {
     let scene = stage::scene(scene, &[]);
     let mut stage = Stage::new(&scene, keybed(&scene)).watched_by(Hammer::default());
@@ -89,10 +86,8 @@ fn thrown<const N: usize>(scene: &str, depths: [(f64, u32); N]) -> [(u32, usize)
     })
 }
 
-/// Number of middle C.
 const MIDDLE_C: usize = 39;
 
-/// What the hammer of middle C did.
 #[derive(Debug, Default)]
 struct Hammer {
     events: u32,

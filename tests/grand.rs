@@ -1,5 +1,5 @@
-//! `grand` against an independent integration of its equations, and what `letoff lab piano` measures
-//! of it.
+//! `grand` against an independent integration of its equations, and its measurements by `letoff lab
+//! piano`.
 
 use std::fs;
 use std::path::Path;
@@ -10,8 +10,9 @@ use crate::letoff::{folder, run};
 
 /// Largest differences: of a strike (s), of an angle (rad), of the force (N).
 ///
-/// DOP853 does not step to the corners of the felts, so an input that differs by 1e-14 moves its
-/// steps and their error: at a tolerance of 1e-12 by up to 2.2e-9 rad and 3.4e-8 N in thirty of them.
+/// DOP853 does not step to the corners of the felts, so a change of the input by 1e-14 moves its
+/// steps and their error: at a tolerance of 1e-12 by up to 2.2e-9 rad and 3.4e-8 N in thirty of
+/// them.
 const ALLOWED: (f64, f64, f64) = (1e-9, 1e-8, 2e-7);
 
 fn reference(name: &str) -> Value {
@@ -19,7 +20,7 @@ fn reference(name: &str) -> Value {
     serde_json::from_str(&fs::read_to_string(file).expect("a file")).expect("JSON")
 }
 
-/// The columns of a CSV file by name, with its rows as numbers; NaN where a cell is none.
+/// Returns the columns of a CSV file by name, with its rows as numbers; NaN for an empty cell.
 fn table(text: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut lines = text.lines();
     let names = lines.next().expect("a header").split(',').map(str::to_owned).collect();
@@ -31,7 +32,6 @@ fn place(names: &[String], name: &str) -> usize {
     names.iter().position(|it| it == name).expect("a column of that name")
 }
 
-/// The input as the command takes it.
 fn input(reference: &Value) -> String {
     let steps = reference["input"]["A_tc_w"].as_array().expect("steps");
     let step = |it: &Value| format!("({})*(1+tanh((t-({}))/{}))/2", it[0], it[1], it[2]);
@@ -71,7 +71,6 @@ fn check(name: &str) {
     }
 }
 
-/// Compares angles and force every 5 ms.
 #[track_caller]
 fn check_rows(name: &str, out: &str) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/grand/grand-{name}.csv"));
@@ -105,7 +104,6 @@ fn a_repetition_is_that_of_the_independent_program() {
     check("repetition");
 }
 
-/// An instrument file with these figures.
 fn with_figures(folder: &Path, figures: &str) {
     let text = format!("title = \"Measured\"\nmodel = \"hammond\"\n[figures]\n{figures}\n");
     fs::write(folder.join("measured.toml"), text).expect("a file");

@@ -39,7 +39,7 @@ fn a_voice_is_as_passive_as_its_walls_damper_less_what_the_delay_takes() {
             };
             near(&exact["real"], b, 1e-6 * k / omega);
             near(&exact["imaginary"], -k / omega, 1e-6 * k / omega);
-            // A voice goes on with the motion over its period, so that holding costs nothing to
+            // A voice extrapolates the motion over its period, so that holding costs nothing to
             // first order. To second order it is (ω τ)² of K/ω, τ a period and the delay.
             let lag = omega * (1e-3 + late);
             near(&rendered["real"], b - k * late, lag * lag * k / omega);
@@ -58,7 +58,6 @@ fn a_voice_is_as_passive_as_its_walls_damper_less_what_the_delay_takes() {
 #[test]
 fn a_recorded_stroke_has_the_impedance_of_the_voice_where_it_is_coherent() {
     let folder = folder("impedance-recording");
-    // A recording of an earlier test is not written over.
     let _none = fs::remove_file(folder.join("a.mcap"));
     let recorded = ["record", "a.mcap", "--virtual-time", "--duration", "8"];
     assert_eq!(run(&folder, &recorded).code, Some(0));
@@ -74,8 +73,8 @@ fn a_recorded_stroke_has_the_impedance_of_the_voice_where_it_is_coherent() {
         let part = |name: &str| [stroke, voice].map(|it| number(&it[name]));
         let [[real, real_voice], [imaginary, imaginary_voice]] = [part("real"), part("imaginary")];
         let apart = (real - real_voice).hypot(imaginary - imaginary_voice);
-        // A stroke passes through all depths, the voice is shaken at one: what is the same here is
-        // the filter and the mass that it feels, so that a wrong hold, sign or unit is seen.
+        // A stroke passes through all depths, the voice is shaken at one. Common are the filter and
+        // the mass that it feels, so that a wrong hold, sign or unit shows.
         let size = real_voice.hypot(imaginary_voice);
         assert!(apart < 0.4 * size, "{stroke}, the voice has {voice}");
         compared += 1;

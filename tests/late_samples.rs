@@ -1,4 +1,4 @@
-//! Samples and forces that are late by a tick or two, more often than not, and overtake each other.
+//! Samples and forces that are usually late by a tick or two, and overtake each other.
 
 use std::sync::Arc;
 
@@ -14,23 +14,21 @@ use scheduler::voice::VoiceFault;
 use crate::stage::{Stage, audited, key, keybed, scene, stroke};
 use engine::voice::AuditCell;
 
-/// Strokes on each key.
 const STROKES: u32 = 8;
-/// Until they are over (s).
+/// End of the strokes (s).
 const END: f64 = 4.5;
-/// What a voice may leave unexplained in a tick: 25 N over 20 mm (J).
+/// Unexplained energy of a voice permitted in a tick: 25 N over 20 mm (J).
 const MOST_UNEXPLAINED: f64 = 0.5;
 
-/// What all voices did.
 #[derive(Default)]
 struct Heard {
     strikes: u32,
-    /// Speed of the fastest of them (m/s).
+    /// Speed of the fastest hammer (m/s).
     fastest: f64,
-    /// Ticks in which a voice's energy was not explained, by key.
+    /// Ticks with unexplained energy of the voice, by key.
     diverged: Vec<u32>,
     other_faults: u32,
-    /// What each voice has left unexplained (J).
+    /// Unexplained energy of each voice (J).
     unexplained: Vec<f64>,
 }
 
@@ -52,7 +50,6 @@ impl TickObserver for Heard {
     }
 }
 
-/// Soft and loud, pressed and struck, on all keys.
 fn hands(scene: &Scene) -> SimulatedKeybed {
     let mut keybed = keybed(scene);
     for number in 0..KEYS {
@@ -70,7 +67,6 @@ fn hands(scene: &Scene) -> SimulatedKeybed {
 /// Plays at `hz` with frames that are late by one tick and by two with this probability each.
 fn heard(hz: u32, probability: f64) -> Heard {
     let mut scene = scene("springs", &[]);
-    // Slower than a scene may be: what happens then is the question.
     scene.tick_hz = hz;
     let mut bus = hands(&scene);
     for board in BoardId::all() {
@@ -93,7 +89,7 @@ fn at_a_thousand_ticks_a_second_late_frames_cost_some_strikes_and_no_voice() {
     assert_eq!(heard(1000, 0.0).strikes, played, "in time");
     let late = heard(1000, 0.3);
     assert_eq!((late.diverged.iter().sum::<u32>(), late.other_faults), (0, 0));
-    // Forces that come up to 2 ms late, and samples too: some hammers are caught late.
+    // Forces and samples are up to 2 ms late: some hammers are caught late.
     let most = played + played / 5;
     assert!((played..most).contains(&late.strikes), "{} of {played}", late.strikes);
     for (key, unexplained) in late.unexplained.iter().enumerate() {
@@ -102,7 +98,7 @@ fn at_a_thousand_ticks_a_second_late_frames_cost_some_strikes_and_no_voice() {
 }
 
 /// With up to 16 ms between a finger and its force every key oscillates; its voice must end in a
-/// fault before its energies, and with them its notes, mean nothing any more.
+/// fault before its energies and notes lose their meaning.
 #[test]
 fn voices_that_oscillate_for_late_frames_end_in_a_fault_and_explain_the_rest() {
     for hz in [500, 250] {

@@ -1,5 +1,5 @@
-//! What is left out while a tick has more work than time: what it saves, what it costs, and that
-//! no key feels another one's work.
+//! Simplifications while a tick has more work than time: their savings and costs, and no key feels
+//! another one's work.
 
 use std::sync::Arc;
 
@@ -13,21 +13,18 @@ use scheduler::voice::{VoiceFault, VoiceWork};
 
 use crate::stage::{Stage, keybed, play_all, scene, voices};
 
-/// Length of a run (s), and its ticks of a millisecond.
+/// Length of a run (s).
 const END: f64 = 1.2;
 const TICKS: u64 = 1200;
 
-/// What all keys did in a run.
 #[derive(Default)]
 struct Played {
-    /// Strikes: the key, and when (s).
+    /// Key and time (s) of each strike.
     strikes: Vec<(usize, f64)>,
     work: VoiceWork,
-    /// What was sent to each key in each tick (N).
+    /// Force on each key in each tick (N).
     forces: Vec<[f64; KEYS]>,
-    /// Where each key was in each tick.
     samples: Vec<[KeySample; KEYS]>,
-    /// Turns of voices that had to wait.
     waited: u64,
 }
 
@@ -48,7 +45,7 @@ impl TickObserver for &mut Played {
     }
 }
 
-/// Keys that move as they did in another run, whatever they feel.
+/// Keys that move as in another run, whatever their forces.
 struct SameMotion<'a>(&'a [[KeySample; KEYS]]);
 
 impl KeyBus for SameMotion<'_> {
@@ -59,7 +56,6 @@ impl KeyBus for SameMotion<'_> {
     fn send(&mut self, _tick: u64, _forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {}
 }
 
-/// Runs `stage`, while `simplified` says what is left out in each tick.
 fn run<B: KeyBus>(
     stage: Stage<B, crate::stage::Nobody>,
     simplified: impl Fn(u64) -> Simplifications,
@@ -75,21 +71,20 @@ fn run<B: KeyBus>(
     played
 }
 
-/// Plays every key of `scene`.
 fn played(scene: &Scene, simplified: impl Fn(u64) -> Simplifications) -> Played {
     let mut keybed = keybed(scene);
     play_all(&mut keybed, END);
     run(Stage::new(scene, keybed), simplified)
 }
 
-/// The root of the mean square of the difference of forces (N).
+/// Returns the root mean square difference of forces (N).
 fn difference(one: &Played, other: &Played) -> f64 {
     let pairs = one.forces.iter().flatten().zip(other.forces.iter().flatten());
     let (sum, n) = pairs.fold((0.0, 0.0), |(sum, n), (a, b)| (sum + (a - b) * (a - b), n + 1.0));
     f64::sqrt(sum / n)
 }
 
-/// The largest difference of the times at which the same strikes come (s).
+/// Returns the largest time difference of the same strikes (s).
 fn shift(one: &Played, other: &Played) -> f64 {
     let keys = |it: &Played| it.strikes.iter().map(|(key, _)| *key).collect::<Vec<_>>();
     assert_eq!(keys(one), keys(other), "the same keys sound equally often");
@@ -101,7 +96,7 @@ fn all(simplified: &[Simplification]) -> Simplifications {
     simplified.iter().fold(Simplifications::NONE, |all, one| all.with(*one))
 }
 
-/// The default instrument on all keys, each played about twice a second: what is left out saves
+/// The default instrument on all keys, each played about twice a second: simplification saves
 /// evaluations, and moves strikes by less than a millisecond.
 #[test]
 fn what_is_left_out_saves_work_and_every_note_sounds_in_time() {
@@ -128,8 +123,8 @@ fn what_is_left_out_saves_work_and_every_note_sounds_in_time() {
     }
 }
 
-/// A force may change by more in one tick than it did with everything, since contacts come some
-/// microseconds earlier or later; not by more where something is left out or taken back.
+/// A force may change more in one tick than with everything, since contacts come some microseconds
+/// earlier or later; but not more where something is left out or restored.
 #[test]
 fn no_force_steps_where_something_is_left_out_or_taken_back() {
     const SPAN: u64 = 50;
@@ -155,8 +150,8 @@ fn no_force_steps_where_something_is_left_out_or_taken_back() {
     }
 }
 
-/// Values within their ranges with which turns of the default instrument fail: all of them, most of
-/// them while the key moves, and one in eight.
+/// Valid values with which turns of the default instrument fail: all of them, most of them while
+/// the key moves, and one in eight.
 const HOSTILE: [&[(&str, f64)]; 3] = [
     &[
         ("g", 100.0),
@@ -208,10 +203,8 @@ const HOSTILE: [&[(&str, f64)]; 3] = [
     ],
 ];
 
-/// The key that has hostile values.
 const HOSTILE_KEY: usize = 39;
 
-/// Returns a voice of the scene with some of its values replaced.
 fn hostile(scene: &Scene, values: &[(&str, f64)]) -> BoxedVoice {
     let mut voice = scene.keys[HOSTILE_KEY].clone().expect("a voice");
     let parameters = &voice.model.parameters;
@@ -224,7 +217,6 @@ fn hostile(scene: &Scene, values: &[(&str, f64)]) -> BoxedVoice {
     VoiceBuilder::new(scene).expect("a rate").voice(&voice, Arc::default()).expect("a voice")
 }
 
-/// Turns of all keys in a run, in the order of ticks.
 #[derive(Default)]
 struct TurnLog(Vec<[(u64, VoiceWork, Option<VoiceFault>); KEYS]>);
 
@@ -238,8 +230,7 @@ impl TickObserver for &mut TurnLog {
     }
 }
 
-/// Plays every key of the default instrument on one lane, at a cost of `unit` (ns); one key has
-/// `values`.
+/// Plays every key of the default instrument at `unit` (ns) on one lane; one has `values`.
 fn turns(scene: &Scene, unit: f64, values: &[(&str, f64)]) -> TurnLog {
     let mut keybed = keybed(scene);
     play_all(&mut keybed, END);
@@ -255,10 +246,10 @@ fn turns(scene: &Scene, unit: f64, values: &[(&str, f64)]) -> TurnLog {
     log
 }
 
-/// A key whose turns fail costs no more than a tenth of its lane's time, and is muted.
+/// A key with failing turns costs at most a tenth of its lane's time, and is muted.
 #[test]
 fn a_failing_voice_gets_a_tenth_of_its_lane_and_its_neighbours_notice_nothing() {
-    /// Cost of a unit on a usual processor (ns), and units for which a lane has time in a tick.
+    /// Cost of a unit on a usual processor (ns), and units in a lane's time of a tick.
     const UNIT: f64 = 500.0;
     const LANE: u32 = 1800;
     let scene = scene("default", &[]);
@@ -274,8 +265,8 @@ fn a_failing_voice_gets_a_tenth_of_its_lane_and_its_neighbours_notice_nothing() 
         let failed: Vec<_> = (0..of_key.len()).filter(|at| is_failed(*at)).collect();
         let muted = of_key.iter().position(|(.., fault)| *fault == Some(VoiceFault::Muted));
         let muted = muted.expect("it keeps failing");
-        // A turn that gets through a quarter of its tick within a tenth of the time may be an impact,
-        // so it is given a quarter of the time, once.
+        // A turn that gets through a quarter of its tick within a tenth of the time may be an
+        // impact, so it gets a quarter of the time, once.
         let units = |at: &usize| of_key[*at].1.units;
         let first = units(failed.first().expect("it keeps failing"));
         let allowed = if values == HOSTILE[0] { LANE / 10 } else { LANE / 4 };
@@ -292,7 +283,7 @@ fn a_failing_voice_gets_a_tenth_of_its_lane_and_its_neighbours_notice_nothing() 
     }
 }
 
-/// A processor that is half as quick as usual cuts no voice of ours off.
+/// A processor half as quick as usual cuts off no voice of ours.
 #[test]
 fn a_hard_stroke_is_not_taken_for_a_failing_voice_on_a_slow_processor() {
     for hz in ["1000", "2000", "4000"] {

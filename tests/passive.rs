@@ -1,4 +1,4 @@
-//! No closed way of a key hands its finger energy that its action did not lose.
+//! No closed path of a key hands its finger energy that its action did not lose.
 
 use std::env;
 use std::f64::consts::{PI, TAU};
@@ -13,23 +13,23 @@ use scheduler::voice::VoiceOutput;
 /// Tick (s).
 const H: f64 = 1e-3;
 
-/// Way of the key (m).
+/// Travel of the key (m).
 const DIP: f64 = 10e-3;
 
-/// What a key may hand out beyond what it was given (J).
+/// Energy that a key may hand out beyond its intake (J).
 const TANK: f64 = 1e-6;
 
-/// Of a hundred thousand sums of up to 0.1 J.
+/// Rounding of a hundred thousand sums of up to 0.1 J.
 const ROUNDING: f64 = 1e-12;
 
-/// Largest acceleration of strokes and tremor together (m/s²): a little less than that for which
-/// [`haptics::PassivityController`] is built.
+/// Largest acceleration of strokes and tremor together (m/s²), a little below the design value of
+/// [`haptics::PassivityController`].
 const ACCELERATION: f64 = 290.0;
 
-/// Acceleration of a key for which that controller is built (m/s²).
+/// Design acceleration of that controller (m/s²).
 const MOST_ACCELERATION: f64 = 300.0;
 
-/// A way of a key from its rest and back to it: strokes of least jerk, and a tremor.
+/// A path of a key from rest and back: strokes of least jerk, and a tremor.
 #[derive(Clone, Debug)]
 struct ClosedWay {
     /// Start (s), length (s), and places of strokes (m), one after another.
@@ -60,8 +60,8 @@ impl ClosedWay {
         Self { strokes, length, tremor: (amplitude, frequency) }
     }
 
-    /// Tells whether no tick's way differs from that of the tick before by more than a key's can: the
-    /// beginning and end of a short tremor may add to a stroke.
+    /// Returns `true` if no tick's path differs from that of the tick before by more than a key's
+    /// can: the start and end of a short tremor may add to a stroke.
     fn is_a_key_s(&self) -> bool {
         let mut ticks = (0_u32..).take_while(|tick| f64::from(*tick) * H <= self.length + H);
         let at = |tick: u32| self.at(f64::from(tick) * H);
@@ -71,7 +71,7 @@ impl ClosedWay {
         })
     }
 
-    /// Position (m) at `time` (s).
+    /// Returns the position (m) at `time` (s).
     fn at(&self, time: f64) -> f64 {
         let newest = self.strokes.iter().rev().find(|it| it.0 <= time);
         let Some((start, lasts, from, to)) = newest.filter(|_| time < self.length) else {
@@ -85,10 +85,10 @@ impl ClosedWay {
     }
 }
 
-/// Plays `way` from rest; returns the energy that the motor hands the finger (J).
+/// Plays `way` from rest; returns the energy from the motor to the finger (J).
 fn handed_out(voice: &mut AnyVoice, way: &ClosedWay, tick: &mut u64) -> f64 {
     voice.reset(&KeySample::fresh(0.0));
-    // A gap: what the last way left is forgotten.
+    // A gap, so that the rest of the last path is forgotten.
     *tick += 2;
     let (mut energy, mut time) = (0.0, 0.0);
     while time < way.length + H {
@@ -117,17 +117,14 @@ fn forces(voice: &mut AnyVoice, way: &ClosedWay) -> Vec<f64> {
     (0..).map_while(force).collect()
 }
 
-/// What the closed ways of one instrument hand out.
 #[derive(Clone, Debug)]
 struct Outcome {
     instrument: String,
-    /// Ways that hand out more than [`TANK`].
     over: usize,
-    /// The most that one hands out (J).
+    /// Maximum of one path (J).
     most: f64,
 }
 
-/// Middle C of `instrument`, as a recording has it: stable or not.
 fn middle_c(instrument: &str, passivity: PassivityMode, tank: f64) -> AnyVoice {
     let text = format!(
         "lanes = 1\n[render]\npassivity = \"{}\"\nenergy_tank = {tank:e}\n[[keys]]\n\
@@ -163,7 +160,7 @@ fn no_closed_way_hands_out_more_than_the_tank_while_the_controller_is_on() {
     for Outcome { instrument, over, most } in outcomes(PassivityMode::Control, 200) {
         assert!(over == 0, "{instrument}: {over} ways, {most:e} J");
     }
-    // The test would find it: a held force gives energy back without the controller.
+    // The test can fail: without the controller a held force returns energy.
     let without = outcomes(PassivityMode::Observe, 200);
     assert!(without.iter().filter(|it| 0 < it.over).count() > without.len() / 2, "{without:#?}");
 }
@@ -193,7 +190,7 @@ fn the_controller_leaves_the_forces_of_ordinary_strokes_nearly_as_they_are() {
     }
 }
 
-/// As many ways as `WAYS` says, a million if it says nothing.
+/// Tries `WAYS` paths, a million by default.
 #[test]
 #[ignore = "takes an hour; WAYS=100000 cargo test -p letoff --test whole -- --ignored closed_ways"]
 fn no_closed_ways_hand_out_energy_however_many() {

@@ -1,4 +1,4 @@
-//! The machine pauses: ticks are lost, and what is played meanwhile sounds late.
+//! The machine pauses: ticks are lost, and notes played meanwhile sound late.
 
 use figures::rehearsal::RehearsedKey;
 use haptics::{Gesture, Touch};
@@ -12,7 +12,7 @@ use crate::stage::{Stage, key, keybed, scene, stroke};
 
 const KEY: usize = 39;
 
-/// Start of the stroke (s): the hammer has come to rest by then.
+/// Start of the stroke (s), with the hammer at rest.
 const START: f64 = 0.5;
 
 /// Strikes of all keys: key, time (s), and speed of the hammer (m/s).
@@ -47,7 +47,7 @@ fn strikes(name: &str, speed: f64, from: u64, lost: u64) -> Vec<(usize, f64, f64
     strikes.0
 }
 
-/// Forces are gone after 20 ms of a pause, so the key goes down by itself: a strike may be early.
+/// Forces are gone after 20 ms of a pause, so the key sinks by itself: a strike may be early.
 #[test]
 fn a_note_that_is_played_while_the_machine_pauses_sounds_late_and_about_as_loud() {
     let (mut pauses, mut extra) = (0, 0);
@@ -71,7 +71,7 @@ fn a_note_that_is_played_while_the_machine_pauses_sounds_late_and_about_as_loud(
     assert!(extra <= pauses / 8, "{extra} more strikes than strokes in {pauses} pauses");
 }
 
-/// Gestures that play two soft notes of `velocity` on D3, the second where the first ends.
+/// Returns gestures of two soft notes of `velocity` on D3, the second where the first ends.
 fn repeated(scene: &scene::Scene, key: usize, velocity: u8) -> Vec<Gesture> {
     let builder = VoiceBuilder::new(scene).expect("a good scene");
     let (_, voice) = builder.keys().next().expect("a key");

@@ -1,4 +1,4 @@
-//! What the virtual pianist plays is what comes out, whole runs in virtual time.
+//! The output equals the virtual pianist's piece, in whole runs in virtual time.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::BTreeSet;
@@ -14,14 +14,12 @@ use scene::Scene;
 
 use crate::stage::{scene, try_scene};
 
-/// Promised of 99 % of the notes: how far from their time (ms), and from their velocity.
+/// Accuracy promised for 99 % of the notes: of time (ms), and of velocity.
 const ONSET_MS: f64 = 1.0;
 const VELOCITY: f64 = 2.0;
 
-/// Energy that integration may make, as a share of what the fingers supply.
-///
-/// The audit sums the supply by quadrature over the pieces of a 1 ms tick, whose error is a
-/// thousandth of what passes through at worst.
+/// Energy from integration errors, as a share of the fingers' supply. The audit sums the supply by
+/// quadrature over the pieces of a 1 ms tick, with an error of a thousandth of the flow at worst.
 const UNEXPLAINED: f64 = 2e-3;
 
 #[test]
@@ -80,14 +78,14 @@ fn hard_passages_are_played_on_every_preset() {
     }
 }
 
-/// Asserts that what `preset` can play of the hard passages is played, that the rest is named, and
-/// that no note goes on.
+/// Asserts that the playable part of the hard passages is played by `preset`, that the rest is
+/// named, and that no note continues.
 #[track_caller]
 fn check_hard(preset: &str) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let [piece, output] =
         ["hard", "hard-played"].map(|it| folder.join(format!("{it}-{preset}.mid")));
-    // Of repetitions at 12/s some actions play every second only.
+    // Some actions play only every second of the repetitions at 12/s.
     fs::write(&piece, file(&hard())).expect("a file");
     let text = |path: &PathBuf| path.to_str().expect("a path that is text").to_owned();
     let (piece, output) = (text(&piece), text(&output));
@@ -104,7 +102,7 @@ fn check_hard(preset: &str) {
     assert_eq!((ons, hanging), (notes.struck, 0), "{preset}: {notes:?}");
 }
 
-/// Repetitions at 12/s, a trill at 14/s, notes as soft as can be written, and a key that is
+/// Returns repetitions at 12/s, a trill at 14/s, notes as soft as possible, and a key that is
 /// released for 25 ms only, all on two keys.
 fn hard() -> Vec<HardNote> {
     let repeated = (0..8).map(|i| (60, 500 + 83 * i, 540 + 83 * i, 60));
@@ -118,7 +116,7 @@ fn hard() -> Vec<HardNote> {
 /// Key, onset and end (ms), velocity.
 pub(crate) type HardNote = (u8, u32, u32, u8);
 
-/// How many notes begin in a MIDI file, and how many of them do not end.
+/// Returns the number of notes in a MIDI file, and of those without an end.
 fn sounded(bytes: &[u8]) -> (usize, usize) {
     let (mut ons, mut on) = (0, BTreeSet::new());
     for event in Smf::parse(bytes).expect("a MIDI file").tracks.iter().flatten() {
@@ -135,7 +133,6 @@ fn sounded(bytes: &[u8]) -> (usize, usize) {
 
 #[test]
 fn what_the_keys_cannot_do_is_left_out_and_named() {
-    // Twenty in a second, which no key can do, and one long after.
     let onsets: Vec<u32> = (0..16).map(|i| 50 * i).chain([4000]).collect();
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("repeated.mid");
     let notes: Vec<HardNote> = onsets.iter().map(|at| (60, *at, at + 40, 40)).collect();
@@ -160,7 +157,6 @@ fn a_play_list_is_played_again_and_again() {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let [one, two, output] = ["list-one", "list-two", "list-played"]
         .map(|it| folder.join(format!("{it}-{}.mid", std::process::id())));
-    // Each lasts 3 s, as its pedal does.
     fs::write(&one, file(&[(60, 500, 900, 50), (64, 700, 900, 60)])).expect("a file");
     fs::write(&two, file(&[(60, 0, 300, 70)])).expect("a file");
     let list = format!("['{}', '{}']", one.display(), two.display());
@@ -184,7 +180,6 @@ fn a_play_list_is_played_again_and_again() {
     let heard = pianist::read(&bytes).expect("what was played");
     let c4 = heard.notes.iter().filter(|note| note.key == 39).map(|note| note.onset);
     check_times(c4, &[1.5, 6.0, 11.5, 16.0, 21.5]);
-    // At the end of the run all pedals are lifted.
     let pedals = heard.pedals.iter().map(|pedal| pedal.at).take_while(|at| *at < 20.0);
     check_times(pedals, &[3.0, 4.0, 8.0, 9.0, 13.0, 14.0, 18.0, 19.0]);
     let (again, again_bytes) = played("2");
@@ -195,7 +190,7 @@ fn a_play_list_is_played_again_and_again() {
     assert!(refused.to_string().contains("does not repeat"), "{refused}");
 }
 
-/// Asserts that there are `times` (s) and are what they should be, to a tick.
+/// Asserts `times` (s) equal to `expected` within a tick.
 #[track_caller]
 fn check_times(times: impl Iterator<Item = f64>, expected: &[f64]) {
     let times: Vec<f64> = times.collect();
@@ -214,7 +209,7 @@ fn a_play_list_that_is_cut_by_the_end_of_the_run_does_not_begin_again() {
     assert_eq!((notes.passes, notes.played, notes.struck, notes.extra), (1, 1, 1, 0), "{notes:?}");
 }
 
-/// A file of `notes`, with the sustain pedal down from 2 s to 3 s.
+/// Returns a file of `notes`, with the sustain pedal down from 2 s to 3 s.
 pub(crate) fn file(notes: &[HardNote]) -> Vec<u8> {
     let on =
         |key: u8, velocity: u8| MidiMessage::NoteOn { key: u7::new(key), vel: u7::new(velocity) };
@@ -228,7 +223,7 @@ pub(crate) fn file(notes: &[HardNote]) -> Vec<u8> {
     let mut track = Vec::new();
     let mut now = 0;
     for (at, message) in events {
-        // At the usual tempo, 500 ticks a quarter are a thousandth of a second each.
+        // At the usual tempo, 500 ticks a quarter are 1 ms each.
         let kind = TrackEventKind::Midi { channel: u4::new(0), message };
         track.push(TrackEvent { delta: u28::new(at - now), kind });
         now = at;
@@ -241,8 +236,8 @@ pub(crate) fn file(notes: &[HardNote]) -> Vec<u8> {
     bytes
 }
 
-/// Asserts what is promised of 30 s of scene `name`, with `least` notes, and that it is the
-/// same to the last bit when it is played again and on another number of lanes.
+/// Asserts the promises on 30 s of scene `name`, with at least `least` notes, and the same bits
+/// when played again and on another number of lanes.
 #[track_caller]
 fn check_played(name: &str, least: usize) {
     let (report, midi) = recorded(name, "1");
@@ -280,7 +275,7 @@ fn check_healthy(report: &RunReport) {
     assert!(energy.residual.abs() < 1e-9 * (1.0 + size), "{name}: {energy:?}");
 }
 
-/// 30 s of scene `name` on `n_lanes`, and the bytes of the MIDI file that was written.
+/// Records 30 s of scene `name` on `n_lanes`; returns the report and the MIDI file's bytes.
 fn recorded(name: &str, n_lanes: &str) -> (RunReport, Vec<u8>) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let path = folder.join(format!("{name}-{}.mid", std::process::id()));
@@ -297,7 +292,7 @@ fn run(scene: &Scene, seconds: f64) -> RunReport {
     session.run(&AtomicBool::new(false)).expect("a run")
 }
 
-/// A report without what may differ: how many lanes there were, and what the file is called.
+/// Returns a report without the number of lanes and the file's name.
 fn comparable(report: &RunReport) -> serde_json::Value {
     let mut report = serde_json::to_value(report).expect("a report as JSON");
     report["lanes"].take();

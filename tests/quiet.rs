@@ -1,5 +1,5 @@
-//! Keys that are left alone are quiet, with every instrument that a scene lets in; and a loop
-//! that makes energy all the same is muted.
+//! Untouched keys are quiet with every instrument that a scene accepts; a loop that generates
+//! energy nevertheless is muted.
 
 use std::sync::Arc;
 
@@ -12,20 +12,18 @@ use scheduler::voice::VoiceFault;
 use crate::stage::{Stage, keybed, play_all, scene, try_scene};
 use engine::voice::AuditCell;
 
-/// Energy that a key's model may have been given or have made when nobody was there \[J\].
+/// Energy permitted in an untouched key's model (J).
 const NOTHING: f64 = 1e-3;
 
 /// Every eighth key has a voice: presets are graded over the compass, and a chord is as good.
 const EVERY: usize = 8;
 
-/// What was heard and sent since `from`.
 #[derive(Debug)]
 struct Listener {
     from: u64,
     strikes: usize,
-    /// Largest force sent \[N\].
+    /// Largest force sent (N).
     loudest: f64,
-    /// Keys whose voice made energy, and all faults.
     muted: Vec<usize>,
     faults: usize,
 }
@@ -51,7 +49,6 @@ impl TickObserver for Listener {
     }
 }
 
-/// Every eighth voice of `scene`, with its energy audit.
 fn some_voices(scene: &Scene) -> (Vec<(usize, BoxedVoice)>, [Arc<AuditCell>; KEYS]) {
     let audits: [Arc<AuditCell>; KEYS] = std::array::from_fn(|_key| Arc::default());
     let voices = crate::stage::audited(scene, &audits).into_iter().step_by(EVERY).collect();
@@ -62,14 +59,12 @@ fn ticks(scene: &Scene, seconds: u32) -> u64 {
     u64::from(scene.tick_hz * seconds)
 }
 
-/// The scene `springs` with `instrument` at `hz`, or why that is refused.
 fn with_instrument(instrument: &str, hz: &str, render: &[(&str, &str)]) -> Result<Scene, String> {
     let mut overrides = vec![("keys.instrument", instrument), ("tick_hz", hz)];
     overrides.extend(render);
     try_scene("springs", &overrides)
 }
 
-/// Every instrument at three rates, with the usual filter and with a slow one.
 fn all_loops() -> Vec<(String, Result<Scene, String>)> {
     let mut loops = Vec::new();
     for instrument in instruments() {
@@ -105,7 +100,7 @@ fn with_nobody_at_the_keys_nothing_is_struck_and_no_energy_is_made_or_the_scene_
             stage.tick();
             for audit in &audits {
                 let audit = audit.read();
-                // What impacts make is made, too.
+                // Energy from impacts counts, too.
                 most = most.max(audit.supplied.max(audit.supplied + audit.jumps));
             }
         }
@@ -136,7 +131,7 @@ fn after_it_was_played_every_instrument_that_is_let_in_comes_to_rest() {
 
 #[test]
 fn a_loop_that_makes_energy_with_nobody_on_its_keys_is_muted() {
-    // As a recording, which nobody has to feel, it is let in.
+    // As a recording, without a finger, it is accepted.
     let text = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-rigid\"\n";
     let scene = Scene::from_text(&scene::Library::default(), "rigid", text.to_owned())
         .expect("a good scene");
@@ -150,7 +145,7 @@ fn a_loop_that_makes_energy_with_nobody_on_its_keys_is_muted() {
     let Listener { strikes, loudest, mut muted, .. } = stage.observer;
     muted.sort_unstable();
     muted.dedup();
-    // A few of them come to rest by themselves, and press with their hammer's weight.
+    // A few come to rest by themselves, and press with their hammer's weight.
     assert!(n_voices / 2 < muted.len(), "muted: {muted:?} of {n_voices}");
     assert!(strikes == 0 && loudest < 1.0, "{strikes} strikes, {loudest} N at the end");
 }
@@ -168,11 +163,9 @@ fn a_scene_is_asked_for_what_its_instrument_needs_in_one_sentence() {
     assert!(why.contains(expected), "{why}");
     let why = refused("paper-rigid", "4000", &[]);
     assert!(why.contains("paper-rigid needs a coupling_stiffness of at most 200"), "{why}");
-    // One of several ways is enough, and the nearest is told.
     assert!(with_instrument("grand-reduced", "4000", &[("render.jerk_density", "10")]).is_ok());
     let why = refused("grand-reduced", "1000", &[("render.jerk_density", "10")]);
     assert!(why.contains("jerk_density of at least 100"), "{why}");
-    // The same model and preset by another way.
     let model = [("keys.model", "key-hammer-rigid"), ("keys.preset", "playable")];
     let owned: Vec<_> = model.iter().map(|(a, b)| (String::from(*a), String::from(*b))).collect();
     let why = Scene::load(&scene::Library::default(), "springs", &owned)

@@ -1,4 +1,4 @@
-//! Every README and manual of the project: its commands can be typed and print what it shows, its links
+//! Every README and manual of the project: its commands run and print the shown output, its links
 //! and paths lead to files, and its lines have one sentence each.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use crate::letoff::{folder, run};
 
-/// Names of the files that people read to use the program or a crate.
 const DOCUMENTS: [&str; 9] = [
     "README.md",
     "BOARDS.md",
@@ -20,26 +19,24 @@ const DOCUMENTS: [&str; 9] = [
     "STABILITY.md",
 ];
 
-/// One of them and the file in which it is.
 struct Document {
     path: PathBuf,
     text: String,
 }
 
 impl Document {
-    /// The lines, those that end with a backslash joined with the next.
+    /// Returns the lines; those that end with a backslash are joined with the next.
     fn lines(&self) -> Vec<String> {
         self.text.replace("\\\n", " ").lines().map(str::to_owned).collect()
     }
 
-    /// The text between backticks within lines.
     fn quoted(&self) -> Vec<String> {
         let lines = self.lines();
         let quoted = lines.iter().flat_map(|line| line.split('`').skip(1).step_by(2));
         quoted.map(str::to_owned).collect()
     }
 
-    /// The lines that are neither code nor part of a table or figure.
+    /// Returns the lines that are neither code nor part of a table or figure.
     fn prose(&self) -> Vec<&str> {
         let mut is_code = false;
         let mut prose = Vec::new();
@@ -58,7 +55,6 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// All of them.
 fn documents() -> Vec<Document> {
     let mut paths = Vec::new();
     let mut folders = vec![root().to_path_buf()];
@@ -86,7 +82,7 @@ fn documents() -> Vec<Document> {
     all
 }
 
-/// The words of a command behind `letoff`; quotes keep a word together.
+/// Returns the words of a command behind `letoff`; quotes keep a word together.
 fn words(command: &str) -> Vec<String> {
     let (mut words, mut word, mut is_quoted) = (Vec::new(), String::new(), false);
     for letter in command.chars() {
@@ -100,7 +96,7 @@ fn words(command: &str) -> Vec<String> {
     words.into_iter().filter(|word| !word.is_empty()).skip(1).collect()
 }
 
-/// The commands on lines of their own, ready to be copied.
+/// Returns the commands on lines of their own, ready to be copied.
 fn commands() -> Vec<Vec<String>> {
     let lines: Vec<_> = documents().iter().flat_map(Document::lines).collect();
     let all: Vec<_> =
@@ -109,7 +105,7 @@ fn commands() -> Vec<Vec<String>> {
     all
 }
 
-/// The commands within sentences and tables, with their optional parts.
+/// Returns the commands within sentences and tables, with their optional parts.
 fn mentioned() -> Vec<Vec<String>> {
     let quoted: Vec<_> = documents().iter().flat_map(Document::quoted).collect();
     let mentioned = quoted.iter().filter(|it| it.starts_with("letoff "));
@@ -126,7 +122,7 @@ fn borrowed(words: &[String]) -> Vec<&str> {
 fn every_command_can_be_typed() {
     let folder = folder("readme-mentioned");
     for command in commands().iter().chain(&mentioned()) {
-        // What comes before `--help` is read first: an option that is gone is found.
+        // Arguments before `--help` are parsed first: an option that no longer exists is found.
         let mut arguments = borrowed(command);
         arguments.push("--help");
         let said = run(&folder, &arguments);
@@ -134,8 +130,8 @@ fn every_command_can_be_typed() {
     }
 }
 
-/// The parts of scenes, between fences that say so; those in LANGUAGE.md are descriptions of
-/// models, which `mechanism` tests.
+/// Returns the parts of scenes, between fences that say so; those in LANGUAGE.md are descriptions
+/// of models, which `mechanism` tests.
 fn parts_of_scenes() -> Vec<String> {
     let of_scenes = |document: &Document| !document.path.ends_with("crates/mechanism/LANGUAGE.md");
     let documents = documents().into_iter().filter(of_scenes);
@@ -197,13 +193,11 @@ fn the_events_of_figure_6_are_those_that_stand_there() {
     assert_eq!(count, 5);
 }
 
-/// The command in the READMEs that has all of `parts`.
 fn command(parts: &[&str]) -> Vec<String> {
     let has = |command: &Vec<String>| parts.iter().all(|part| command.iter().any(|it| it == part));
     mentioned().into_iter().find(has).expect("the command")
 }
 
-/// The first event of the command in the READMEs that has all of `parts`.
 fn first_event(parts: &[&str]) -> Vec<String> {
     let folder = folder("readme-limits");
     let command = command(parts);
@@ -259,7 +253,6 @@ fn every_path_from_the_root_exists() {
     }
 }
 
-/// The word behind `before` in every quoted text and code line that has it.
 fn words_behind(before: &str) -> Vec<(PathBuf, String, String)> {
     let mut found = Vec::new();
     for document in documents() {

@@ -1,4 +1,4 @@
-//! Every source that a comment cites by its key stands in REFERENCES.md.
+//! Every source that a comment cites by its key is in REFERENCES.md.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,17 +47,16 @@ fn read(path: &Path) -> String {
     fs::read_to_string(path).expect("a text file")
 }
 
-/// The keys that have an entry.
 fn entries(text: &str) -> BTreeSet<String> {
     text.lines().filter_map(entry).map(String::from).collect()
 }
 
-/// The key of an entry's line, `- **[KEY]** …`.
+/// Returns the key of an entry's line, `- **[KEY]** …`.
 fn entry(line: &str) -> Option<&str> {
     line.strip_prefix("- **[")?.split_once("]** ").map(|(key, _)| key).filter(|key| is_key(key))
 }
 
-/// The keys cited under the folders that hold sources, each with one file that cites it.
+/// Returns the keys cited under the folders of sources, each with one file that cites it.
 fn cited() -> BTreeMap<String, PathBuf> {
     let mut found = BTreeMap::new();
     for folder in ["crates", "firmware-protocol", "benches", "configs"] {
@@ -72,7 +71,6 @@ fn cited() -> BTreeMap<String, PathBuf> {
     found
 }
 
-/// Every text file that may cite, folders within folders included.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut folders = vec![folder.to_path_buf()];
@@ -89,7 +87,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// The part of a line that is written for people.
+/// Returns the part of a line written for people.
 fn prose<'a>(line: &'a str, file: &Path) -> Option<&'a str> {
     match comment(file)? {
         "" => Some(line),
@@ -97,7 +95,7 @@ fn prose<'a>(line: &'a str, file: &Path) -> Option<&'a str> {
     }
 }
 
-/// What opens a comment in a file of this kind; empty where all is prose.
+/// Returns the opening of a comment in a file of this kind; empty where all is prose.
 fn comment(file: &Path) -> Option<&'static str> {
     match file.extension()?.to_str()? {
         "rs" => Some("//"),
@@ -106,7 +104,7 @@ fn comment(file: &Path) -> Option<&'static str> {
     }
 }
 
-/// The keys in a line: `[`, letters of which the first is a capital, two digits, `]`.
+/// Returns the keys in a line: `[`, letters starting with a capital, two digits, `]`.
 fn keys(line: &str) -> Vec<&str> {
     let inner = line.split('[').skip(1).filter_map(|rest| rest.split_once(']'));
     inner.map(|(inner, _)| inner).filter(|inner| is_key(inner)).collect()

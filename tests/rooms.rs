@@ -1,5 +1,5 @@
-//! No import circle is in any crate: modules beside each other know each other in one direction at
-//! most, also where one names the other's items by what a parent re-exports.
+//! No crate has an import circle: sibling modules use each other in one direction at most, also
+//! through a parent's re-exports.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,7 +31,6 @@ fn a_circle_of_three_is_found_and_a_parent_with_its_part_is_none() {
 
 type Edges = BTreeSet<(String, String)>;
 
-/// Each circle of a crate, as a sentence.
 fn circles(room: &str, all: &[Source]) -> Vec<String> {
     let names = Names::new(all);
     let mut levels = BTreeMap::<Vec<String>, Edges>::new();
@@ -51,15 +50,13 @@ fn circles(room: &str, all: &[Source]) -> Vec<String> {
     levels.iter().filter_map(told).collect()
 }
 
-/// The parent that both modules have, and the children of it in which they lie; none if one
-/// holds the other.
+/// Returns the common parent of both modules, and its children with them; `None` if nested.
 fn siblings(one: &[String], other: &[String]) -> Option<(Vec<String>, (String, String))> {
     let shared = one.iter().zip(other).take_while(|(a, b)| a == b).count();
     let edge = (one.get(shared)?.clone(), other.get(shared)?.clone());
     Some((one[..shared].to_vec(), edge))
 }
 
-/// The nodes from which a way leads back to themselves.
 fn in_circles(edges: &Edges) -> BTreeSet<String> {
     let nodes = edges.iter().map(|(from, _)| from);
     nodes.filter(|node| reachable(edges, node).contains(*node)).cloned().collect()
@@ -78,13 +75,12 @@ fn reachable(edges: &Edges, start: &str) -> BTreeSet<String> {
     found
 }
 
-/// Most re-exports that one name is followed through.
+/// Maximum of re-exports followed for one name.
 const DEEPEST_USE: usize = 8;
 
-/// The modules of a crate, and what each brings into its scope by `use`.
 struct Names<'a> {
     modules: BTreeSet<&'a [String]>,
-    /// The path that a name stands for, by the module that uses it.
+    /// Path of each imported name, by module.
     used: BTreeMap<(&'a [String], String), Vec<String>>,
 }
 
@@ -99,8 +95,7 @@ impl<'a> Names<'a> {
         Self { modules: all.iter().map(|it| it.module.as_slice()).collect(), used }
     }
 
-    /// The module in which the item of a path of `module` is written; none if the path leads out of
-    /// the crate.
+    /// Returns the module that defines the item at a path in `module`; `None` outside the crate.
     fn resolve(&self, module: &[String], path: &[String], deepest: usize) -> Option<Vec<String>> {
         let up = path.iter().take_while(|it| *it == "super").count();
         let (mut known, rest) = match path.first()?.as_str() {
@@ -122,7 +117,7 @@ impl<'a> Names<'a> {
         Some(known)
     }
 
-    /// The module from which `module` has `name`, if by a `use`.
+    /// Returns the module from which `module` imports `name`, if it does.
     fn behind_use(&self, module: &[String], name: &str, deepest: usize) -> Option<Vec<String>> {
         let path = self.used.get(&(module, name.to_owned()))?;
         self.resolve(module, path, deepest.checked_sub(1)?)
@@ -135,10 +130,9 @@ fn paths_of(source: &Source) -> Paths {
     paths
 }
 
-/// Collects all paths of a file, those of `use` with their trees expanded.
+/// Collects all paths of a file, with the trees of `use` expanded.
 struct Paths {
     found: Vec<Vec<String>>,
-    /// Names that come by `use`, with their paths.
     used: Vec<(String, Vec<String>)>,
 }
 

@@ -1,4 +1,4 @@
-//! The project's Rust sources, parsed: what the tests of rooms, words and comments look at.
+//! The project's Rust sources, parsed for the tests of rooms, words and comments.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
@@ -6,18 +6,16 @@ use std::path::{Path, PathBuf};
 
 use syn::{Attribute, File, Item, Meta};
 
-/// One source file of a crate.
 pub(crate) struct Source {
-    /// The folder of its crate, as `pode`.
+    /// Folder of its crate, as `pode`.
     pub(crate) room: String,
     pub(crate) path: PathBuf,
-    /// The module that it is, as `["stepper", "rk4"]`; empty for the crate's root.
+    /// Module path, as `["stepper", "rk4"]`; empty for the crate's root.
     pub(crate) module: Vec<String>,
     pub(crate) syntax: File,
 }
 
-/// All product sources that a person wrote: what lies under `src` of each crate, without modules of
-/// tests.
+/// Returns all product sources: `src` of each crate, without modules of tests.
 pub(crate) fn all() -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let crates = fs::read_dir(root.join("crates")).expect("crates/").filter_map(Result::ok);
@@ -60,14 +58,13 @@ fn read(room: &str, src: &Path, path: PathBuf) -> Option<Source> {
     Some(Source { room: room.to_owned(), path, module, syntax })
 }
 
-/// The programs in a folder of examples.
 pub(crate) fn examples(folder: &Path) -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let files = rust_files(&root);
     files.into_iter().filter_map(|path| read("examples", &root, path)).collect()
 }
 
-/// The module that a file below `src` is.
+/// Returns the module of a file below `src`.
 fn module(path: &Path) -> Vec<String> {
     let mut parts: Vec<String> =
         path.with_extension("").iter().map(|it| it.to_string_lossy().into_owned()).collect();
@@ -84,7 +81,6 @@ fn is_for_tests(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// The attributes of an item that can have some.
 #[expect(clippy::wildcard_enum_match_arm, reason = "the enum of items is open")]
 pub(crate) fn attributes(item: &Item) -> &[Attribute] {
     match item {

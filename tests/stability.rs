@@ -1,4 +1,4 @@
-//! `letoff lab stability`: maps of where a wall and instruments are stable, in files and as JSON.
+//! `letoff lab stability`: maps of stable walls and instruments, in files and as JSON.
 
 use std::path::Path;
 
@@ -6,7 +6,6 @@ use serde_json::Value;
 
 use crate::letoff::{check, check_words, folder, run};
 
-/// A map of few cells.
 const FEW: [&str; 4] = ["lab", "stability", "--cells", "8"];
 
 fn report(folder: &Path, arguments: &[&str]) -> Value {
@@ -18,14 +17,14 @@ fn report(folder: &Path, arguments: &[&str]) -> Value {
 #[test]
 fn the_boundary_of_a_wall_is_that_of_its_poles_and_of_passivity_where_the_load_is_the_worst() {
     let folder = folder("stability-wall");
-    // A key that is gone within a fiftieth of a period: 20 mg with 1 N s/m at 1 ms.
+    // A key that diverges within a fiftieth of a period: 20 mg with 1 N s/m at 1 ms.
     let worst = ["--mass", "20 mg", "--device-damping", "1 N*s/m", "--period", "1 ms"];
     let axes = ["--x", "stiffness=200..1800", "--y", "damping=0.01..2", "--out", "out"];
     let report = report(&folder, &[&worst[..], &axes[..]].concat());
     let ratios = &report["maps"][0]["ratios"];
     for theory in ["colgate_schenkel", "poles"] {
         let ratio = |which: &str| ratios[theory][which].as_f64().expect("a ratio");
-        // Within 10 % of the stiffness; of what is left for B at 1.7 kN/m that is more.
+        // Within 10 % of the stiffness; for the rest, B at 1.7 kN/m, the limit is wider.
         assert!((ratio("median") - 1.0).abs() < 0.1, "{theory}: {ratios}");
     }
     assert_eq!(report["maps"][0]["boundary"].as_array().expect("rows").len(), 8);

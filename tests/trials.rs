@@ -1,4 +1,4 @@
-//! What is said beforehand of a loop, and what it does when a piece is played.
+//! Predictions for a loop, and its behaviour when a piece is played.
 
 use std::fmt;
 use std::fs;
@@ -15,22 +15,18 @@ use scheduler::port::{FinishedTick, TickObserver};
 use crate::performance::{HardNote, file};
 use crate::stage::{self, Stage, keybed, play_all, scene, try_scene, voices};
 
-/// What one loop does.
 #[derive(Clone, Debug)]
 struct Outcome {
     what: String,
-    /// Why it is refused, if it is.
     refused: Option<String>,
-    /// Why it should have been, if it should.
+    /// Reason for which it should have been refused, if any.
     failed: Option<Failure>,
 }
 
-/// What goes wrong while a loop plays.
 #[derive(Clone, Debug)]
 enum Failure {
-    /// So many notes are extra.
     Extra(usize),
-    /// So many faults, of a key that makes energy; or it goes on shaking, so much (m).
+    /// Faults of a key that generates energy; or its endless motion (m).
     MakesEnergy(u64, f64),
 }
 
@@ -54,7 +50,7 @@ impl Outcome {
     }
 }
 
-/// Soft and loud notes over the compass, alone and together.
+/// Returns a piece of soft and loud notes over the compass, alone and together.
 fn piece() -> String {
     let notes: [HardNote; 10] = [
         (36, 200, 500, 64),
@@ -74,7 +70,7 @@ fn piece() -> String {
     path.to_str().expect("a path that is text").to_owned()
 }
 
-/// The scene as a recording, which is let in whether it is stable or not.
+/// Returns the scene as a recording, which is accepted even if unstable.
 fn scene_of(instrument: &str, hz: u32, ticks: u32, piece: &str) -> Scene {
     let text = format!(
         "tick_hz = {hz}\nlanes = 1\n[rig]\ndelay = {}\n[[keys]]\nrange = \"A0..C8\"\n\
@@ -84,7 +80,6 @@ fn scene_of(instrument: &str, hz: u32, ticks: u32, piece: &str) -> Scene {
     Scene::from_text(&scene::Library::default(), "loop", text).expect("a good scene")
 }
 
-/// Plays the piece; returns how many notes are extra, and how many faults there are.
 fn played(scene: &Scene) -> (usize, u64) {
     let options = RunOptions { duration: Some(3.5), virtual_time: true };
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
@@ -92,8 +87,8 @@ fn played(scene: &Scene) -> (usize, u64) {
     (report.notes.as_ref().expect("notes").extra, report.totals.faults)
 }
 
-/// Extra notes that are the instrument's own, a second strike of a pendulum on a cart: those of a
-/// loop that is nearly none.
+/// Counts extra notes that are the instrument's own, a second strike of a pendulum on a cart: those
+/// of a nearly ideal loop.
 fn own_extra(scene: &Scene) -> usize {
     let mut ideal = scene.clone();
     ideal.tick_hz = 10_000;
@@ -102,7 +97,6 @@ fn own_extra(scene: &Scene) -> usize {
     if faults == 0 { extra } else { 0 }
 }
 
-/// Plays the piece, and rests; returns what goes wrong.
 fn fails(scene: &Scene) -> Option<Failure> {
     let (extra, faults) = played(scene);
     let shaking = rings(scene);
@@ -112,7 +106,7 @@ fn fails(scene: &Scene) -> Option<Failure> {
     (0 < extra && own_extra(scene) < extra).then_some(Failure::Extra(extra))
 }
 
-/// The same under a finger of either corner, as trials have them.
+/// Like [`fails`], under a finger of either corner, as in trials.
 fn fails_under_other_fingers(scene: &Scene) -> Option<Failure> {
     [FingerName::Stiff, FingerName::Limp].into_iter().find_map(|finger| {
         let mut other = scene.clone();
@@ -121,8 +115,7 @@ fn fails_under_other_fingers(scene: &Scene) -> Option<Failure> {
     })
 }
 
-/// Plays all keys at once and leaves them alone; returns how much they move (m) if some of them go
-/// on for ever.
+/// Plays all keys at once, then none; returns their motion (m) if some never come to rest.
 fn rings(scene: &Scene) -> Option<f64> {
     let mut bus = keybed(scene);
     play_all(&mut bus, 1.0);
@@ -140,7 +133,7 @@ fn rings(scene: &Scene) -> Option<f64> {
     };
     run(4);
     let (first, second) = (run(1), run(1));
-    // Eleven voices, each by as much as a trial lets pass.
+    // Eleven voices, each by as much as a trial permits.
     (0.15 < second && 0.8 * first < second).then_some(second)
 }
 
@@ -149,7 +142,6 @@ fn positions(bus: &SimulatedKeybed) -> Vec<f64> {
     rigs.map(KeyRig::position).collect()
 }
 
-/// What is said of a loop, and what it does.
 fn tried(name: &str, hz: u32, delay: u32, piece: &str) -> Outcome {
     let scene = scene_of(name, hz, delay, piece);
     let refused = unstable(&scene);
@@ -158,8 +150,8 @@ fn tried(name: &str, hz: u32, delay: u32, piece: &str) -> Outcome {
     Outcome { what: format!("{name} at {hz} Hz, {delay} ticks late"), refused, failed }
 }
 
-/// Asserts that of `outcomes` as many are predicted as is promised, and that none that was called
-/// stable makes energy. A hammer without a check may strike twice in the most stable of loops.
+/// Asserts the promised share of predictions in `outcomes`, and that no stable one generates
+/// energy. A hammer without a check may strike twice in the most stable loop.
 #[track_caller]
 fn check(outcomes: &[Outcome]) {
     let is_wrong = |it: &&Outcome| !it.is_predicted();
@@ -230,14 +222,13 @@ fn untouched_every_instrument_with_a_damper_sleeps_within_two_seconds() {
             stage.tick();
         }
         let Restless { derivatives, events, awake } = stage.observer;
-        // The paper's springs have no damper: their hammer of a metre swings by 0.4 mm for ever.
+        // The paper's springs have no damper: their hammer of a metre swings by 0.4 mm forever.
         let sleeps = instrument.name != "paper-springs";
         assert!(events == 0 && sleeps == (awake == 0), "{}: {awake}", instrument.name);
         assert!(!sleeps || derivatives == 0, "{}: {derivatives}", instrument.name);
     }
 }
 
-/// What voices did that should rest.
 #[derive(Debug, Default)]
 struct Restless {
     derivatives: u32,
@@ -256,7 +247,7 @@ impl TickObserver for Restless {
     }
 }
 
-/// Returns what is said of the first key of `scene` that is not stable.
+/// Returns the report on the first unstable key of `scene`.
 fn unstable(scene: &Scene) -> Option<String> {
     let found = examine(scene).expect("trials");
     found.iter().find_map(|it| it.unstable.as_ref()).map(ToString::to_string)

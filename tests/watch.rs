@@ -1,5 +1,5 @@
-//! Descriptions that are edited while the host plays them: `letoff run --watch`, and its recording
-//! run again without the files.
+//! Descriptions edited while the host plays them: `letoff run --watch`, and its recording replayed
+//! without the files.
 #![expect(clippy::panic, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
@@ -12,26 +12,25 @@ use std::time::{Duration, Instant};
 
 use crate::letoff::{Said, end, folder, run, start};
 
-/// Longest wait for anything that the host says; builds may be going on beside.
+/// Longest wait for any line of the host, also beside builds.
 const PATIENCE: Duration = Duration::from_secs(90);
 
-/// Time in which a key comes to rest.
 const REST: Duration = Duration::from_millis(1500);
 
-/// Ticks in turn after which a key has settled that moved on while ticks were skipped, and one more.
+/// Ticks after which a key has settled that moved while ticks were skipped, and one more.
 const SETTLED: usize = 12;
 
 /// C4 and C♯4, as keys are numbered.
 const KEYS: [u8; 2] = [39, 40];
 
-/// Stiffness of the base, and of the spring between key and mass at first and then (N/m).
+/// Stiffness of the base, and of the spring between key and mass before and after the edit (N/m).
 const BASE: f64 = 1200.0;
 const SPRINGS: [f64; 2] = [400.0, 800.0];
 
-/// What is set on the second key while it plays (N/m).
+/// Stiffness set on the second key while it plays (N/m).
 const OTHER_BASE: f64 = 2400.0;
 
-/// A mass between two springs, of which the key presses one: `k` to the key, `base` to the ground.
+/// Returns a mass between two springs, one to the key (`k`) and one to the ground (`base`).
 fn base() -> String {
     format!(
         r#"name = "feel"
@@ -75,17 +74,15 @@ y = "s*k/(k + base)"
     )
 }
 
-/// The same with another spring to the key.
 fn stiffer() -> String {
     format!("base = \"base.toml\"\n[parameters]\nk = {{ value = \"{} N/m\" }}\n", SPRINGS[1])
 }
 
-/// Stiffness that is felt at the key of a mass that is at rest: the springs one after the other.
+/// Returns the stiffness at the key of a mass at rest: both springs in series.
 fn felt(spring: f64, base: f64) -> f64 {
     spring * base / (spring + base)
 }
 
-/// A host that is running, and what it says.
 struct Running<'a> {
     child: Child,
     said: Receiver<String>,
@@ -104,7 +101,6 @@ impl<'a> Running<'a> {
         Self { child, said, folder, heard: String::new() }
     }
 
-    /// Waits until a line says `text`.
     #[track_caller]
     fn wait_for(&mut self, text: &str) {
         let until = Instant::now() + PATIENCE;
@@ -120,12 +116,11 @@ impl<'a> Running<'a> {
         }
     }
 
-    /// Asks over the control socket.
     fn ask(&self, request: &str) -> String {
         self.ask_and_stay(request).0
     }
 
-    /// Asks over the control socket; returns the answer, and the connection.
+    /// Sends a request over the control socket; returns the answer, and the connection.
     fn ask_and_stay(&self, request: &str) -> (String, UnixStream) {
         let stream = UnixStream::connect(self.folder.join("socket")).expect("the host listens");
         (&stream).write_all(format!("{request}\n").as_bytes()).expect("it hears");
@@ -134,7 +129,7 @@ impl<'a> Running<'a> {
         (answer, stream)
     }
 
-    /// Presses a key; returns the connection with which it is let go.
+    /// Presses a key; closing the returned connection releases it.
     fn press(&self, key: u8) -> UnixStream {
         let press = format!(r#"{{"service":"press","key":{key},"newtons":2.0}}"#);
         let (said, stream) = self.ask_and_stay(&press);
@@ -150,9 +145,9 @@ impl<'a> Running<'a> {
     }
 }
 
-/// The largest change of the force that is sent, from one tick to the next (N).
+/// Returns the largest change of the sent force from one tick to the next (N).
 ///
-/// A busy machine may skip ticks, while the key moves on under the force that it has: what follows
+/// A busy machine may skip ticks, while the key moves under a constant force; the force then
 /// settles for some ticks.
 fn largest_change(rows: &[[f64; 4]]) -> f64 {
     let settled = |rows: &&[[f64; 4]]| rows.windows(2).all(|pair| pair[1][0] - pair[0][0] < 1.5);
@@ -179,8 +174,8 @@ fn rows(folder: &Path, key: u8) -> Vec<[f64; 4]> {
         .collect()
 }
 
-/// Stiffnesses (N/m) at which a pressed key rested, in the order of time: there are no rows while
-/// nothing changes. A key that creeps on by a step of its encoder rests where it did.
+/// Returns the stiffnesses (N/m) at which a pressed key rested, in the order of time: unchanged
+/// rows are not recorded. A key that creeps by a step of its encoder is still at rest.
 fn rests(rows: &[[f64; 4]]) -> Vec<f64> {
     let next = rows.iter().skip(1).map(|row| row[0]).chain([f64::INFINITY]);
     let rests = rows.iter().zip(next).filter(|(row, next)| 200.0 < next - row[0] && 1e-3 < row[1]);
@@ -202,7 +197,7 @@ fn check_near(found: &[f64], wanted: &[f64]) {
     );
 }
 
-/// Replaces a file as editors do: another one is put into its place.
+/// Replaces a file as editors do, by renaming another one.
 fn save(file: &Path, text: &str) {
     let beside = file.with_extension("new");
     fs::write(&beside, text).expect("a file");
@@ -235,11 +230,10 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     assert!(unmet.contains("feel needs base > 100 N/m, which does not hold on"), "{unmet}");
     let _held = KEYS.map(|key| host.press(key));
     std::thread::sleep(REST);
-    // With a base: both files are read.
     save(&file, &stiffer());
     host.wait_for("5 keys play version 2 of feel");
     std::thread::sleep(REST);
-    // One that is gone for a moment is no mistake, and no other version.
+    // A file that is missing for a short time is neither an error nor a version.
     fs::remove_file(&file).expect("the file");
     std::thread::sleep(Duration::from_millis(500));
     save(&file, &format!("{}\n[springs]\nkey = {{ stiffness = \"kk\" }}\n", stiffer()));
@@ -250,7 +244,7 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     assert!(still.contains("feel.toml"), "{still}");
     std::thread::sleep(REST);
     save(&file, &soft);
-    // What was there before is the same version again.
+    // The earlier content is the same version again.
     host.wait_for("5 keys play version 1 of feel");
     std::thread::sleep(REST);
     let (said, heard) = host.stop();
@@ -268,11 +262,10 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     assert!(5 < blended, "{blended} ticks in which the force is on its way to the new one");
     let travel = 2.0 / felt(SPRINGS[0], BASE);
     let jump = travel * (felt(SPRINGS[1], BASE) - felt(SPRINGS[0], BASE));
-    // The forces differ by more than a newton where the key stands; in a tick the force that is
-    // sent changes by a twentieth of it, and by what the key moves.
+    // The forces differ by more than 1 N at the key's position; in a tick the sent force changes by
+    // a twentieth of that, and by the key's motion.
     assert!(jump > 1.0 && largest < 0.2 * jump, "{largest} N in a tick, {jump} N between both");
 
-    // Nothing but the recording is left.
     for file in ["feel.toml", "base.toml", "scene.toml"] {
         fs::remove_file(folder.join(file)).expect("a file");
     }

@@ -1,7 +1,7 @@
-//! Every public type of a library has a way in: something that another crate names leads to it.
+//! Every public type of a library has a way in: an item that another crate names leads to it.
 //!
-//! A type is reached if product code of another crate names it, or an example of `pode`, or if a
-//! reached item of its own crate names it. The compiler cannot say so: to it a public item is used.
+//! A type is reached if product code of another crate names it, or an example of `pode`, or a
+//! reached item of its own crate. The compiler cannot check it: it counts a public item as used.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -11,12 +11,11 @@ use syn::{Attribute, Ident, Item, Macro, Type, Visibility};
 
 use crate::sources::{self, Source};
 
-/// Modules that wait for their way in: the impact laws that descriptions are to name.
+/// Modules without a way in yet: the impact laws that descriptions are to name.
 const WAITING: [&str; 1] = ["pode::contacts::restitution::"];
 
-/// An item of a crate, and the identifiers in it.
 struct NamedItem {
-    /// Of a function or type; of an `impl`, that of its type.
+    /// Name of a function or type; for an `impl`, its type's.
     name: String,
     is_public_type: bool,
     names: BTreeSet<String>,
@@ -49,7 +48,7 @@ fn every_public_type_of_a_library_has_a_way_in() {
     assert!(found.is_empty(), "no way leads to\n{}", found.join("\n"));
 }
 
-/// Returns the public types of a crate that nothing leads to from the names in `named`.
+/// Returns the public types of a crate that are not reached from the names in `named`.
 fn unreached<'a>(
     items: &'a [NamedItem],
     named: BTreeSet<&'a str>,
@@ -65,7 +64,6 @@ fn unreached<'a>(
     lost.map(|it| format!("{}::{}", it.module.join("::"), it.name))
 }
 
-/// The items of a source file, those of inline modules included.
 fn items(source: &Source) -> Vec<NamedItem> {
     let mut all = Vec::new();
     collect(&source.syntax.items, &source.module, &mut all);
@@ -80,7 +78,6 @@ fn collect(items: &[Item], module: &[String], all: &mut Vec<NamedItem>) {
                 collect(inner.content.as_ref().map_or(&[][..], |it| &it.1), module, all);
                 continue;
             }
-            // What is passed on is no use of it.
             Item::Use(_) | Item::ExternCrate(_) => continue,
             Item::Struct(it) => (it.ident.to_string(), is_public(&it.vis)),
             Item::Enum(it) => (it.ident.to_string(), is_public(&it.vis)),
@@ -107,7 +104,7 @@ const fn is_public(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-/// The last name of a type's path, or of what it refers to.
+/// Returns the last name of a type's path, or of its referent.
 #[expect(clippy::wildcard_enum_match_arm, reason = "an enum of syn that may grow")]
 fn type_name(of: &Type) -> String {
     match of {
@@ -117,7 +114,6 @@ fn type_name(of: &Type) -> String {
     }
 }
 
-/// All identifiers of an item, those in macros and attributes included.
 #[derive(Default)]
 struct IdentifierSet(BTreeSet<String>);
 

@@ -1,4 +1,4 @@
-//! How much a tick computes, in counted evaluations: the same on every machine.
+//! Work of a tick in counted evaluations: the same on every machine.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -16,16 +16,16 @@ use scheduler::voice::VoiceWork;
 
 use crate::stage::{Stage, key, keybed, play_all, scene, stroke};
 
-/// Time in which a keyboard that nobody plays must have fallen asleep (ms).
+/// Time after which an unplayed keyboard must be asleep (ms).
 ///
-/// At power-up the force comes in over 20 ms and sets the hammers swinging, as a stroke does;
-/// the motion of a playable key falls below what a voice calls still within 6 s, and within 10 s
-/// after a key that is let go has thrown it against its rest.
+/// At power-up the force rises over 20 ms and sets the hammers swinging, like a stroke; the motion
+/// of a playable key falls below a voice's threshold of rest within 6 s, and within 10 s after a
+/// released key has thrown it against its rest.
 const ASLEEP: u64 = 10_000;
 
 #[test]
 fn a_keyboard_that_nobody_plays_falls_asleep_and_computes_nothing() {
-    // Not the paper's own presets: without any damping they swing for ever.
+    // Not the paper's own presets: without any damping they swing forever.
     for name in ["springs", "mixed"] {
         let scene = scene(name, &[]);
         let mut stage = Stage::new(&scene, keybed(&scene));
@@ -76,20 +76,16 @@ fn no_tick_of_one_key_exceeds_what_its_limits_declare() {
     };
     let most = most_of_a_key("mixed", &[]);
     assert_eq!(most.largest(allowed), allowed, "{most:?}");
-    // What it really takes is far below; see the golden counts.
+    // The real work is far below; see the golden counts.
     assert!(0 < most.events, "there were events");
 }
 
-/// Values of a scene by their names.
 type SceneValues = &'static [(&'static str, &'static str)];
 
-/// What some instruments need to be stable.
 const STABLE: SceneValues = &[("tick_hz", "4000"), ("render.jerk_density", "10")];
 
-/// The costliest tick of any key of an instrument, all keys being played: derivatives, guards and
-/// events, each by itself.
-///
-/// To update: as for [`GOLDEN`].
+/// Costliest tick of any key of an instrument, all keys being played: derivatives, guards and
+/// events, each by itself. To update: as for [`GOLDEN`].
 const MOST: [(&str, SceneValues, [u32; 3]); 6] = [
     ("grand-springs", &[], [32, 194, 7]),
     ("grand-rigid", STABLE, [32, 57, 12]),
@@ -111,10 +107,10 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
 
 /// The first 5 s of the scene `springs`: (derivatives, guards, events).
 ///
-/// They change when a model, a preset, the pianist or the numerics change. If you meant that,
-/// put in what the failing test prints, and say in the commit why it grew. They are the same
-/// on every machine whose libm gives the same sines; another libm may move an event by a
-/// rounding, and a count with it.
+/// They change with a model, a preset, the pianist or the numerics. If intended, enter the values
+/// that the failing test prints, and explain in the commit why they grew. They are the same on
+/// every machine whose libm gives the same sines; another libm may move an event by a rounding, and
+/// a count with it.
 const GOLDEN: (u64, u64, u64) = (324_708, 7_528, 178);
 
 #[test]
@@ -126,7 +122,7 @@ fn the_first_seconds_of_the_scene_springs_take_the_committed_work() {
     assert_eq!((work.derivatives, work.guards, events), GOLDEN);
 }
 
-/// The most that one key takes in one tick in 2 s of playing, each count by itself.
+/// Returns the maxima of one key in one tick in 2 s of playing, each count by itself.
 fn most_of_a_key(name: &str, overrides: &[(&str, &str)]) -> VoiceWork {
     let scene = scene(name, overrides);
     let mut bus = keybed(&scene);
@@ -136,13 +132,11 @@ fn most_of_a_key(name: &str, overrides: &[(&str, &str)]) -> VoiceWork {
     (0..ticks).fold(VoiceWork::default(), |most, _| most.largest(stage.tick().voices.most))
 }
 
-/// Ticks of 1 ms that are counted.
 const COUNTED: u32 = 1000;
 
 /// Derivatives, rates of entries, guards and readouts of [`COUNTED`] ticks of one key of each model
-/// with its first preset: at rest, and while the key goes 3 mm down and up again twice.
-///
-/// To update: as for [`GOLDEN`].
+/// with its first preset: at rest, and while the key moves 3 mm down and up twice. To update: as
+/// for [`GOLDEN`].
 const COUNTS: [(&str, [u32; 4], [u32; 4]); 6] = [
     ("key-hammer-springs", [4000, 16000, 2, 3000], [4004, 16016, 36, 3003]),
     ("key-hammer-rigid", [0, 0, 1, 3000], [0, 0, 1000, 3000]),
@@ -152,7 +146,6 @@ const COUNTS: [(&str, [u32; 4], [u32; 4]); 6] = [
     ("spring-wall", [0, 0, 1, 3000], [0, 0, 1000, 3000]),
 ];
 
-/// The model of the program called `name`.
 fn named(name: &str) -> Arc<LoadedModel> {
     Library::default().find(name, "".as_ref()).expect("a model")
 }
@@ -161,12 +154,11 @@ fn small(name: &str) -> SmallModel {
     named(name).small().expect("a small model")
 }
 
-/// The first preset of a model for the middle key.
 fn first<M: Playable>(model: &M) -> M {
     model.with_values(&model.entry().presets[0].values(39))
 }
 
-/// The work of [`COUNTED`] ticks of 1 ms from `start`, the key swinging `depth` (m) down and up.
+/// Counts the work of [`COUNTED`] ticks of 1 ms from `start`, the key swinging by `depth` (m).
 fn counted<M: Playable, W: Watch<M>>(
     mut simulator: Simulator<M, Rk4>,
     depth: f64,
@@ -184,14 +176,12 @@ fn counted<M: Playable, W: Watch<M>>(
     sum
 }
 
-/// Its first preset at rest, the key up.
 fn at_rest<M: Playable>(model: &M) -> Simulator<M, Rk4> {
     let model = first(model);
     let (mode, state) = model.at_rest(&Motion::default());
     Simulator::new(model, Rk4, Limits::default(), mode, state)
 }
 
-/// Derivatives, rates, guards and readouts at rest and moving.
 struct Counts;
 
 impl Visitor for Counts {
@@ -244,7 +234,7 @@ fn an_energy_audit_counts_what_it_evaluates() {
     assert!((least..=most).contains(&audit.evaluations), "{} of {work:?}", audit.evaluations);
 }
 
-/// The work of 100 ticks in which nothing happens, from `mode` and `state`, by `method`.
+/// Returns the work of 100 ticks without events, from `mode` and `state`, by `method`.
 fn quiet<M: Playable>(model: M, method: impl Stepper, (mode, state): (M::Mode, M::State)) -> Work {
     let mut simulator =
         Simulator::new(model, method, Limits::default(), mode, state).without_readout();
@@ -268,8 +258,8 @@ fn modes_compute_their_own_degrees_of_freedom_and_no_others() {
     let (b1, rest) = springs.at_rest(&Motion::default());
     let together = quiet(springs.clone(), Rk4, (b1, rest));
     assert_eq!((together.derivatives, together.rates), (400, 1600), "B1");
-    // The hammer in the air, rising. A state of four entries is stepped as one by one method; where
-    // each half has its own, the hammer takes one step for three of the key's.
+    // The hammer in the air, rising. One method steps a state of four entries as one; where each
+    // half has its own, the hammer takes one step for three of the key's.
     let b2 = springs.mode(ModeCode::structural(1)).expect("B2");
     let above = (b2, [rest[0] + 0.15, rest[1], 0.5, 0.0]);
     assert_eq!(quiet(springs.clone(), Rk4, above).rates, 1600, "B2, as one");

@@ -1,10 +1,9 @@
-//! Studies that cannot be done, or whose report nobody can take.
+//! Impossible studies, and reports that cannot be written.
 
 use std::fs;
 
 use crate::letoff::{check, check_words, folder, run};
 
-/// As little as there is.
 const LITTLE: [&str; 7] = ["lab", "accuracy", "--quick", "--method", "rk4", "--scenario", "ball"];
 
 #[test]

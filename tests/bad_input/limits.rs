@@ -1,4 +1,4 @@
-//! Systems that give less than a run takes, and pipes that nobody writes or reads.
+//! System limits below a run's needs, and pipes without a writer or reader.
 
 use std::process::Command;
 
@@ -15,7 +15,7 @@ fn check_refused(said: &Said) {
 #[test]
 fn too_few_descriptors_are_said_in_a_sentence() {
     let folder = folder("descriptors");
-    // Those that whoever runs the tests has left open would take the places.
+    // Descriptors that the caller left open would take the places.
     let closed = "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-";
     for most in 5..16 {
         check_refused(&run_after(&format!("{closed}; ulimit -n {most}"), &folder, &RUN));
@@ -25,7 +25,7 @@ fn too_few_descriptors_are_said_in_a_sentence() {
 #[test]
 fn too_few_threads_are_said_in_a_sentence() {
     for most in 2..5 {
-        // The options of bash and of dash.
+        // `-u` in bash, `-p` in dash.
         let first = format!("ulimit -u {most} 2>/dev/null || ulimit -p {most}");
         if let Some(said) = run_as_nobody(&first, &RUN) {
             check_refused(&said);
@@ -37,14 +37,12 @@ fn too_few_threads_are_said_in_a_sentence() {
 fn pipes_that_nobody_writes_or_reads_are_not_waited_for() {
     let folder = folder("pipes");
     for pipe in ["input", "played.mid"] {
-        // One of an earlier run is as good.
         let made = Command::new("mkfifo").arg(folder.join(pipe)).output();
         assert!(made.is_ok() && folder.join(pipe).exists(), "{made:?}");
     }
     let simulate = ["simulate", "bouncing-ball", "--until", "0.01", "--step", "1e-3"];
     let simulate = [&simulate[..], &["--input", "input"]].concat();
     check(&folder, &simulate, 2, &["input has 0 rows"]);
-    // A pipe is read if something writes into it.
     let said = run_after("printf 't,s\\n0,0\\n1,0\\n' > input &", &folder, &simulate);
     assert_eq!(said.code, Some(0), "{said:?}");
     let run = ["run", "--virtual-time", "--duration", "1", "--midi", "played.mid"];

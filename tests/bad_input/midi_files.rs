@@ -1,18 +1,16 @@
-//! Performances that are no MIDI files, or only half of one.
+//! Performances that are not MIDI files, or cut ones.
 
 use std::fs;
 use std::path::PathBuf;
 
 use crate::letoff::{check, check_words, folder, run};
 
-/// A folder with `name`, which holds `bytes`.
 fn with(name: &str, bytes: &[u8]) -> PathBuf {
     let folder = folder(name);
     fs::write(folder.join(name), bytes).expect("a file");
     folder
 }
 
-/// Asserts how a performance of `bytes` is refused.
 #[track_caller]
 fn check_refused(name: &str, bytes: &[u8], reason: &str) {
     let folder = with(name, bytes);

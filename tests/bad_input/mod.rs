@@ -1,7 +1,5 @@
-//! What people get wrong, and the `letoff` command's answer: the program itself, run.
-//!
-//! Always: exit code 2 for wrong usage or a wrong file, 1 for what fails while running; one
-//! sentence on stderr for each mistake; never a panic.
+//! User errors and the answer of the `letoff` command itself: exit code 2 for wrong usage or a
+//! wrong file, 1 for a failure of the run; one sentence on stderr for each mistake; never a panic.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod lab;

@@ -1,4 +1,4 @@
-//! Places that cannot be written to, and ports that are not there.
+//! Unwritable places, and missing ports.
 
 use std::fs::File;
 use std::os::unix::fs::symlink;
@@ -11,7 +11,6 @@ const SHORT: [&str; 5] = ["run", "--virtual-time", "--duration", "3", "--json"];
 #[test]
 fn a_full_disk_costs_the_midi_file_and_not_the_report() {
     let folder = folder("full");
-    // By its ending it is a file to be written.
     let linked = symlink("/dev/full", folder.join("full.mid"));
     assert!(linked.is_ok() || folder.join("full.mid").is_symlink(), "{linked:?}");
     let arguments = [&SHORT[..], &["--midi", "full.mid"]].concat();
@@ -40,7 +39,7 @@ fn a_port_that_is_not_there_is_named() {
     if Path::new("/dev/snd/seq").exists() {
         check(&folder, &arguments, 2, &["a port that nobody has"]);
     } else {
-        // A machine without MIDI is no error: the run goes on, and says what to do.
+        // A machine without MIDI is no error: the run continues, and prints the remedy.
         let said = run(&folder, &arguments);
         assert_eq!((said.code, said.err.as_str()), (Some(0), ""), "{said:?}");
         let midi = &said.report()["midi"];

@@ -1,4 +1,4 @@
-//! Options and parameters that cannot be, or that no model survives.
+//! Impossible options and parameters, and parameters that no model survives.
 
 use std::fs;
 use std::sync::atomic::AtomicBool;
@@ -9,7 +9,6 @@ use scene::Scene;
 use crate::letoff::{check, check_words, folder, run};
 use crate::stage::scene;
 
-/// Asserts how an override is refused.
 #[track_caller]
 fn check_set(set: &str, words: &[&str]) {
     let folder = folder("set");
@@ -54,7 +53,6 @@ fn a_length_that_is_none_is_refused() {
     for length in ["0", "nan", "inf", "soon"] {
         check_usage(&["run", "--virtual-time", "--duration", length]);
     }
-    // The sign makes it no option.
     let said = check_usage(&["run", "--virtual-time", "--duration", "-3"]);
     assert!(said.contains("give a number above 0"), "{said}");
 }
@@ -67,7 +65,6 @@ fn an_option_that_is_not_there_is_refused() {
     check_usage(&[]);
 }
 
-/// Asserts that the command line is refused; returns why.
 #[track_caller]
 fn check_usage(arguments: &[&str]) -> String {
     let said = run(&folder("usage"), arguments);
@@ -83,7 +80,7 @@ fn virtual_time_without_an_end_is_refused() {
     check(&folder, &arguments, 2, &["virtual time needs an end", "--duration"]);
 }
 
-/// The lowest key's damping is such that no step is short enough; all others are a grand's.
+/// The lowest key's damping needs arbitrarily short steps; all others are a grand's.
 const DIVERGING: &str = r#"
 [[keys]]
 range = "A0"
@@ -108,7 +105,7 @@ fn a_model_that_diverges_is_refused_before_it_plays() {
     check(&folder, &["run", "diverging.toml", "--virtual-time", "--duration", "1"], 2, &words);
 }
 
-/// As a recording it is played all the same.
+/// A recording plays it nevertheless.
 #[test]
 fn a_model_that_diverges_is_counted_and_the_others_play_on() {
     let played = |scene: &Scene| {
@@ -122,7 +119,7 @@ fn a_model_that_diverges_is_counted_and_the_others_play_on() {
     );
     let totals = &report.totals;
     assert_eq!((totals.faults, totals.muted.len()), (4, 1), "it keeps failing: {report}");
-    // Every note is another key's; what the diverging one struck, nobody asked for.
+    // Every note is another key's; the diverging one's strikes do not count.
     let healthy = played(&scene("springs", &[]));
     let [notes, others] = [&report, &healthy].map(|it| it.notes.as_ref().expect("a pianist"));
     assert_eq!((notes.played, notes.missed), (others.played, others.missed));

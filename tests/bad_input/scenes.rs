@@ -40,7 +40,6 @@ fn all_mistakes_of_a_scene_are_reported_at_once_each_with_its_place() {
     assert_eq!(lines.len(), expected.len(), "{said:?}");
     for (line, (place, word)) in lines.iter().zip(expected) {
         assert!(line.contains(place) && line.contains(word), "no {place}{word} in {line}");
-        // What is wrong, and what to do.
         assert!(line.contains("; "), "no help in {line}");
     }
 }
@@ -50,7 +49,6 @@ fn checking_it_says_the_same_and_for_programs_too() {
     let folder = folder("checked");
     fs::write(folder.join("mistakes.toml"), MISTAKES).expect("a file");
     let said = run(&folder, &["check", "mistakes.toml"]);
-    // How many there are, and each with its line and a caret under the place.
     assert_eq!((said.code, said.lines().len()), (Some(2), 1 + 6 * 3), "{said:?}");
     let carets = said.lines().iter().filter(|line| line.trim() == "^").count();
     assert_eq!(carets, 6, "{said:?}");

@@ -1,4 +1,4 @@
-//! A run in real time that is told to stop.
+//! A run in real time that is stopped by a signal.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,6 @@ use rustix::process::{Pid, Signal, kill_process};
 
 use crate::letoff::{end, folder, start};
 
-/// Ticks after which the piece is well under way.
 const UNDER_WAY: u64 = 4000;
 
 #[test]
@@ -27,7 +26,7 @@ fn check_stopped_by(name: &str, signal: Signal) {
     let folder = folder(name);
     let arguments =
         ["run", "bach", "--duration", "60", "--midi", "played.mid", "--json", "--quiet"];
-    // Nothing of an earlier run may be taken for this one's.
+    // A file of an earlier run must not pass for this one's.
     fs::write(folder.join("played.mid"), []).expect("an empty file");
     let mut child = start(&folder, &arguments);
     wait_until_under_way(&mut child);
@@ -42,7 +41,7 @@ fn check_stopped_by(name: &str, signal: Signal) {
     assert_eq!(report["strikes"].as_u64(), Some(notes), "{report}");
 }
 
-/// Polls until the tick's thread has slept `UNDER_WAY` times: it does so once in a tick.
+/// Polls until the tick's thread has slept `UNDER_WAY` times, once in each tick.
 fn wait_until_under_way(child: &mut Child) {
     let tasks = format!("/proc/{}/task", child.id());
     while sleeps(Path::new(&tasks)).is_none_or(|sleeps| sleeps < UNDER_WAY) {
@@ -52,7 +51,6 @@ fn wait_until_under_way(child: &mut Child) {
     }
 }
 
-/// How often the tick's thread has gone to sleep, if there is one yet.
 fn sleeps(tasks: &Path) -> Option<u64> {
     let folders = fs::read_dir(tasks).ok()?.filter_map(Result::ok).map(|entry| entry.path());
     let is_tick = |folder: &std::path::PathBuf| {
@@ -63,7 +61,7 @@ fn sleeps(tasks: &Path) -> Option<u64> {
     line.trim().parse().ok()
 }
 
-/// Asserts that no note of the file is left sounding; returns how many there are.
+/// Asserts that no note of the file keeps sounding; returns their number.
 #[track_caller]
 fn check_notes_end(path: &Path) -> u64 {
     let bytes = fs::read(path).expect("a MIDI file");

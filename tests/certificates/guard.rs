@@ -4,22 +4,20 @@ use pode::{Enclosure, GuardBound, GuardValue, Motion};
 
 use lab::random::SeededRandom;
 
-/// Entries of a state: four places, and their rates.
 pub(super) const ENTRIES: usize = 8;
 
-/// The state of up to four oscillators.
 pub(super) type OscillatorState = [f64; ENTRIES];
 
 type Orbit = Enclosure<OscillatorState, Motion>;
 
-/// What a guard adds to its level.
+/// Contribution of a guard to its level.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum GuardTerm {
     /// Σ wᵢ xᵢ
     Linear { weights: OscillatorState },
     /// −w x²
     Square { entry: usize, weight: f64 },
-    /// −a sin(k x), as fast as k is large.
+    /// −a sin(k x); k may be large.
     Wave { entry: usize, amplitude: f64, k: f64 },
     /// −w s
     Position { weight: f64 },
@@ -32,7 +30,7 @@ pub(super) enum GuardTerm {
 }
 
 impl GuardTerm {
-    /// One of a system whose first `entries` have motion, under ticks of `h` (s).
+    /// Draws one of a system whose first `entries` have motion, under ticks of `h` (s).
     pub(super) fn random(random: &mut SeededRandom, moving: &[usize], h: f64) -> Self {
         let entry = moving[random.below(moving.len())];
         let weight = random.between(-1.0, 1.0);
@@ -53,7 +51,7 @@ impl GuardTerm {
         }
     }
 
-    /// Value and rate at `x`, which moves by `dx` (1/s), under the input `s`.
+    /// Returns value and rate at `x`, which moves by `dx` (1/s), under the input `s`.
     pub(super) fn at(&self, x: &OscillatorState, dx: &OscillatorState, s: &Motion) -> GuardValue {
         match *self {
             Self::Linear { weights } => {
@@ -79,7 +77,6 @@ impl GuardTerm {
         }
     }
 
-    /// The size of its terms at `x` and `s`, for rounding.
     pub(super) fn size(&self, x: &OscillatorState, s: &Motion) -> f64 {
         match *self {
             Self::Linear { weights } => weights.iter().zip(x).map(|(w, x)| (w * x).abs()).sum(),
@@ -93,7 +90,6 @@ impl GuardTerm {
         }
     }
 
-    /// What it does over a step at most.
     pub(super) fn bound(&self, over: &Orbit) -> GuardBound {
         match *self {
             Self::Linear { weights } => {
@@ -125,7 +121,6 @@ fn square(over: &Orbit, entry: usize) -> GuardBound {
     )
 }
 
-/// The same of sin k x.
 fn wave(over: &Orbit, entry: usize, k: f64) -> GuardBound {
     let (GuardBound { moves, bend }, speed) = (over.entry(entry), over.speeds[entry]);
     GuardBound::new((k * moves).min(2.0), k * bend + k * k * speed * speed)

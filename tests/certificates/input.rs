@@ -1,11 +1,10 @@
-//! Inputs over one tick, as fast as they like, with right bounds or none.
+//! Inputs over one tick, arbitrarily fast, with valid bounds or none.
 
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use pode::{Motion, Signal};
 
 use lab::random::SeededRandom;
 
-/// How the input moves.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum InputKind {
     Rest,
@@ -14,18 +13,18 @@ pub(super) enum InputKind {
         amplitude: f64,
         rate: f64,
     },
-    /// The same by a closure, which knows no bounds.
+    /// A sine by a closure, without bounds.
     Unbounded {
         amplitude: f64,
         rate: f64,
     },
-    /// a exp(−z²), z = (t − centre)/width, one after the other with the given period (s).
+    /// a exp(−z²), z = (t − centre)/width, repeated with the given period (s).
     Bells {
         amplitude: f64,
         width: f64,
         period: f64,
     },
-    /// Samples at random, one for each tick, reconstructed.
+    /// Random samples, one for each tick, reconstructed.
     Samples {
         amplitude: f64,
         how: Reconstruction,
@@ -33,7 +32,7 @@ pub(super) enum InputKind {
 }
 
 impl InputKind {
-    /// One for ticks of `h` (s): slow, or faster than the tick.
+    /// Draws one for ticks of `h` (s): slow, or faster than the tick.
     pub(super) fn random(random: &mut SeededRandom, h: f64) -> Self {
         let amplitude = random.spread(0.05, 2.0);
         match random.below(6) {
@@ -62,7 +61,6 @@ impl InputKind {
     }
 }
 
-/// An input that goes from tick to tick.
 #[derive(Clone, Debug)]
 pub(super) struct Input {
     kind: InputKind,
@@ -72,7 +70,6 @@ pub(super) struct Input {
 }
 
 impl Input {
-    /// The input with its samples, one for each tick of `h` (s).
     pub(super) fn new(kind: InputKind, random: SeededRandom, h: f64) -> Self {
         let how = match kind {
             InputKind::Samples { how, .. } => how,
@@ -85,34 +82,29 @@ impl Input {
         Self { kind, random, reconstructor: Reconstructor::new(how, 0.0, h), cubic }
     }
 
-    /// Takes the sample of the next tick.
     pub(super) fn next(&mut self) {
         if let InputKind::Samples { amplitude, .. } = self.kind {
             self.cubic = self.reconstructor.push(self.random.between(-amplitude, amplitude));
         }
     }
 
-    /// The part of a tick that begins at `start` (s) and is `h` (s) long, from the place `theta`
-    /// of it on.
+    /// Returns the tick that begins at `start` (s) and lasts `h` (s), from its place `theta` on.
     pub(super) const fn part(&self, start: f64, h: f64, theta: f64) -> InputPart {
         InputPart { kind: self.kind, cubic: self.cubic, start, h, theta }
     }
 }
 
-/// The rest of a tick.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InputPart {
     kind: InputKind,
     cubic: Cubic,
-    /// Start of the whole tick (s), and its length (s).
+    /// Start (s) and length (s) of the whole tick.
     start: f64,
     h: f64,
-    /// Where in the whole tick this part begins.
     theta: f64,
 }
 
 impl InputPart {
-    /// The place in the whole tick.
     fn whole(&self, theta: f64) -> f64 {
         if theta < 1.0 { self.theta + theta * (1.0 - self.theta) } else { 1.0 }
     }
@@ -160,19 +152,19 @@ impl Signal<Motion> for InputPart {
     }
 }
 
-/// Time since the middle of the nearest bell (s).
+/// Returns the time since the middle of the nearest bell (s).
 fn phase(t: f64, period: f64) -> f64 {
     t - period * (t / period).round()
 }
 
-/// How near the middle of a bell comes to the time between `from` and `to` (s).
+/// Returns the least distance of a bell's middle from the interval `from` to `to` (s).
 fn nearest(from: f64, to: f64, period: f64) -> f64 {
     let (a, b) = (phase(from, period), phase(to, period));
     let is_over = (to - from) >= 0.5 * period || (a < 0.0 && b > 0.0);
     if is_over { 0.0 } else { a.abs().min(b.abs()) }
 }
 
-/// A bell and its rates at `z` widths from its middle.
+/// Returns a bell and its rates at `z` widths from its middle.
 fn bell(amplitude: f64, width: f64, z: f64) -> Motion {
     let height = amplitude * (-z * z).exp();
     Motion {
@@ -183,7 +175,7 @@ fn bell(amplitude: f64, width: f64, z: f64) -> Motion {
     }
 }
 
-/// The most of them from `z` widths on outwards.
+/// Returns their maxima from `z` widths outwards.
 fn bell_bound(amplitude: f64, width: f64, z: f64) -> Motion {
     // From 2 widths on each falls with the distance.
     let (z, near) = if z > 2.0 { (z, false) } else { (0.0, true) };

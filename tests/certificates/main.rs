@@ -1,11 +1,10 @@
-//! `cargo xtask certificates`: looks for a certain step that hides a crossing, in random systems.
+//! `cargo xtask certificates`: searches random systems for a certain step that hides a crossing.
 //!
-//! A step is certain if no root of a guard can have been missed on the orbit as it was computed.
-//! Here random oscillators with random guards and inputs are advanced by every method, far past
-//! the limits of some: stiff for the step, inputs faster than the tick, guards faster than the
-//! rate that the model declares. Each computed orbit is sampled in `LOOKS` places a piece, and
-//! more densely where a guard is lowest. A guard that is negative in a certain step, without an
-//! event before, is a violation.
+//! A step is certain if no root of a guard can have been missed on the computed orbit. Random
+//! oscillators with random guards and inputs are advanced by every method, far beyond the limits of
+//! some: stiff for the step, inputs faster than the tick, guards faster than the declared rate.
+//! Each computed orbit is sampled in `LOOKS` places a piece, and more densely near the minimum of a
+//! guard. A guard that is negative in a certain step, without an event before, is a violation.
 //!
 //! ```text
 //! input    inputs over one tick, with right bounds or none
@@ -31,7 +30,6 @@ use clap::Parser;
 use orbit::LOOKS;
 use trial::Trial;
 
-/// Violations described in a report; all are counted.
 const MAX_DESCRIBED: usize = 10;
 
 /// Looks for a certain step that hides a crossing, in random systems.
@@ -70,25 +68,19 @@ struct CertificateViolation {
     theta: f64,
     /// The guard's value there, relative to its size.
     value: f64,
-    /// The guard, the oscillators and the input in short.
     system_text: String,
 }
 
-/// Counts over all trials.
 #[derive(Clone, PartialEq, Debug, Default)]
 struct CertificateReport {
-    /// Steps that were kept, whole or up to an event.
     steps: u64,
-    /// Steps that were called certain.
     certain: u64,
     unknown: u64,
     events: u64,
     /// Steps in which a guard was negative before an event ended them: missed, or negative since a
-    /// crossing that was found.
+    /// located crossing.
     negative: u64,
-    /// Steps among these that were called certain.
     violations: u64,
-    /// Descriptions of the first violations.
     described: Vec<CertificateViolation>,
 }
 
@@ -120,7 +112,6 @@ fn main() -> ExitCode {
     ExitCode::from(u8::from(0 < report.violations))
 }
 
-/// Tries the systems of `choice`.
 fn try_certificates(choice: &CertificateChoice) -> CertificateReport {
     let mut report = CertificateReport::default();
     for system in choice.first..choice.first.saturating_add(choice.systems) {

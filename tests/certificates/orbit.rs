@@ -1,60 +1,54 @@
-//! Follows what is computed, and looks at the guards in many places of it.
+//! Observer of a computed orbit that samples the guards in many places.
 
 use pode::{Event, GuardId, Guarded as _, Motion, Piece, Signal, Watch};
 
 use super::guard::OscillatorState;
 use super::system::{MOST_GUARDS, OscillatorSystem};
 
-/// Places of a piece in which each guard is looked at.
 pub(super) const LOOKS: u32 = 200;
 
-/// More places between the two neighbours of the lowest.
+/// Additional samples between both neighbours of the lowest.
 const NEAR: u32 = 32;
-/// What is not told from zero, in parts of a guard's size: rounding of the orbit and the guard.
+/// Rounding of the orbit and the guard, relative to the guard's size.
 const ROUNDING: f64 = 1e-11;
 
-/// Rounding of a time, in parts of it: of its product with a rate, and where it is put together.
+/// Relative rounding of a time: of its product with a rate, and of its sum.
 const TIME_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// A place in which a guard was negative.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct NegativePlace {
     pub(super) guard: usize,
-    /// Where in the advanced time, 0 ..= 1.
+    /// Place in the advanced time, 0 ..= 1.
     pub(super) theta: f64,
-    /// The guard in parts of its size.
+    /// The guard relative to its size.
     pub(super) value: f64,
 }
 
-/// One piece that was kept.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeenPiece {
-    /// Where it ends in the advanced time, 0 ..= 1.
+    /// End in the advanced time, 0 ..= 1.
     pub(super) theta_end: f64,
-    /// The first guard that was negative inside, before whatever ended the piece.
+    /// First negative guard inside, before the end of the piece.
     pub(super) inside: Option<NegativePlace>,
-    /// A guard that is negative at its end; right if an event ended it there.
+    /// Negative guard at its end; valid if an event ended it there.
     at_end: Option<NegativePlace>,
     has_event: bool,
 }
 
 impl SeenPiece {
-    /// Where a guard was negative without an event.
     pub(super) fn negative(&self) -> Option<NegativePlace> {
         self.inside.or_else(|| self.at_end.filter(|_| !self.has_event))
     }
 }
 
-/// The pieces of one advance.
 #[derive(Debug)]
 pub(super) struct OrbitWatch {
     pub(super) pieces: Vec<SeenPiece>,
-    /// The latest time (s) that is looked at, whose rounding the input has in it.
+    /// End of the observed time (s); its rounding affects the input.
     until: f64,
 }
 
 impl OrbitWatch {
-    /// A watch over a time until `until` (s).
     pub(super) const fn new(until: f64) -> Self {
         Self { pieces: Vec::new(), until }
     }
@@ -84,7 +78,6 @@ impl Watch<OscillatorSystem> for OrbitWatch {
     }
 }
 
-/// One guard to look at.
 struct GuardLook<'a> {
     model: &'a OscillatorSystem,
     index: usize,
@@ -99,14 +92,14 @@ impl<'a> GuardLook<'a> {
         Some(Self { model, index, id: spec.id, scale: spec.scale, until })
     }
 
-    /// The guard at the fraction `part` of the piece, in parts of its size.
+    /// Returns the guard at the fraction `part` of the piece, relative to its size.
     fn at<S: Signal<Motion>>(&self, piece: &Piece<'_, OscillatorSystem, S>, part: f64) -> f64 {
         let (x, input) = piece.at(part);
         let value = self.model.guard((), self.id, &x, &input).value;
         value / self.size(piece, &x, &input)
     }
 
-    /// The size of what is rounded: the guard's terms, and the moves that the orbit adds up.
+    /// Returns the size of rounding: of the guard's terms, and of the orbit's sums.
     fn size<S: Signal<Motion>>(
         &self,
         piece: &Piece<'_, OscillatorSystem, S>,
@@ -125,7 +118,6 @@ impl<'a> GuardLook<'a> {
         self.scale + level.abs() + term.size(&moved, input) + rounded
     }
 
-    /// The place `part` of the piece, if the guard is negative there.
     fn negative<S: Signal<Motion>>(
         &self,
         piece: &Piece<'_, OscillatorSystem, S>,
@@ -137,7 +129,6 @@ impl<'a> GuardLook<'a> {
         (value < -ROUNDING).then_some(NegativePlace { guard: self.index, theta, value })
     }
 
-    /// A place inside the piece where the guard is negative, before its end.
     fn inside<S: Signal<Motion>>(
         &self,
         piece: &Piece<'_, OscillatorSystem, S>,

@@ -6,9 +6,7 @@ use pode::{Model, Motion, Nature, Reset, Resets};
 use super::guard::{GuardTerm, OscillatorState};
 use lab::random::SeededRandom;
 
-/// Most oscillators of a system.
 const MOST_OSCILLATORS: usize = 4;
-/// Most guards of a system.
 pub(super) const MOST_GUARDS: usize = 3;
 
 /// One oscillator: x'' = −ω² f(x) − 2 d x' + b s.
@@ -22,26 +20,25 @@ struct Oscillator {
     drive: f64,
 }
 
-/// Up to four oscillators with up to three guards.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct OscillatorSystem {
     oscillators: [Oscillator; MOST_OSCILLATORS],
-    /// Whether f(x) is sin x, and not x.
+    /// `true` if f(x) is sin x, `false` for x.
     is_pendulum: bool,
-    /// The rate that is declared (rad/s); right or 0.
+    /// Declared rate (rad/s); valid or 0.
     rate: f64,
     specs: [GuardSpec; MOST_GUARDS],
     guards: [(f64, GuardTerm); MOST_GUARDS],
     count: usize,
-    /// Where it begins, and where an event puts it, if it puts it anywhere.
+    /// Initial state, and that after an event that resets it.
     start: OscillatorState,
     restarts: bool,
-    /// Factor on every bound: 1 is right.
+    /// Factor on every bound: 1 is valid.
     bound_factor: f64,
 }
 
 impl OscillatorSystem {
-    /// One for ticks of `h` (s), with bounds that are right times `bound_factor`.
+    /// Draws one for ticks of `h` (s), with valid bounds times `bound_factor`.
     pub(super) fn random(random: &mut SeededRandom, h: f64, bound_factor: f64) -> Self {
         let mut oscillators = [Oscillator::default(); MOST_OSCILLATORS];
         let mut start = OscillatorState::default();
@@ -76,7 +73,7 @@ impl OscillatorSystem {
         system
     }
 
-    /// x' = 1 with the guard 0.999 − sin 200 x: a right bound, and a declared rate of 0.
+    /// Returns x' = 1 with the guard 0.999 − sin 200 x: a valid bound, and a declared rate of 0.
     pub(super) fn fast_wave(bound_factor: f64) -> Self {
         let mut system = Self::random(&mut SeededRandom::new(0, 0), 0.05, bound_factor);
         system.oscillators = [Oscillator::default(); MOST_OSCILLATORS];
@@ -87,7 +84,7 @@ impl OscillatorSystem {
         system
     }
 
-    /// Puts a guard in its place that is `room` of its size above zero at the start.
+    /// Sets a guard that is `room` of its size above zero at the start.
     fn put_guard(&mut self, index: usize, term: GuardTerm, room: f64) {
         let still = Motion::default();
         let value = term.at(&self.start, &OscillatorState::default(), &still).value;
@@ -96,17 +93,15 @@ impl OscillatorSystem {
         self.guards[index] = (room - value, term);
     }
 
-    /// State at the start of the run.
     pub(super) const fn start(&self) -> OscillatorState {
         self.start
     }
 
-    /// Level and term of the guard at `index`.
     pub(super) fn guard_at(&self, index: usize) -> Option<&(f64, GuardTerm)> {
         self.guards[..self.count].get(index)
     }
 
-    /// The oscillators that move, for a message.
+    /// Describes the moving oscillators in a message.
     pub(super) fn describe(&self) -> String {
         let moving = self.oscillators.iter().zip(self.start);
         format!("{:?}, pendulum {}", moving.collect::<Vec<_>>(), self.is_pendulum)

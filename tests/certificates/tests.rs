@@ -1,4 +1,4 @@
-//! The fuzz in its short form, and that it can fail.
+//! The search in its short form, and its ability to fail.
 
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Silent, Simulator, Work};
@@ -6,7 +6,6 @@ use pode::{Limits, Motion, Silent, Simulator, Work};
 use super::system::OscillatorSystem;
 use super::*;
 
-/// What some hundred systems give, with bounds times `bound_factor`.
 fn tried(bound_factor: f64) -> CertificateReport {
     let choice = CertificateChoice { seed: 1, first: 0, systems: 200, bound_factor };
     try_certificates(&choice)
@@ -26,7 +25,7 @@ fn bounds_that_are_too_low_are_caught() {
     assert!(!report.described.is_empty());
 }
 
-/// The work of one tick of 50 ms with the guard 0.999 − sin 200 x, and where x = t is then.
+/// Returns the work of one tick of 50 ms with the guard 0.999 − sin 200 x, and x at its end.
 fn fast_wave(bound_factor: f64) -> (Work, f64) {
     let model = OscillatorSystem::fast_wave(bound_factor);
     let limits = Limits { pieces: 1, ..Limits::default() };
@@ -40,7 +39,7 @@ fn fast_wave(bound_factor: f64) -> (Work, f64) {
 fn a_guard_faster_than_the_declared_rate_is_found_where_its_bound_is_right() {
     let (work, x) = fast_wave(1.0);
     assert_eq!((work.certain, work.unknown), (1, 0), "{work:?}");
-    // The event puts the state where it began, or leaves it at the first root.
+    // The event resets the state to its start, or leaves it at the first root.
     let root = 0.999_f64.asin() / 200.0;
     assert!(work.events == 1 && (x == 0.0 || (x - root).abs() < 1e-12), "{work:?} {x}");
 }

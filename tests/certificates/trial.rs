@@ -9,14 +9,11 @@ use super::system::OscillatorSystem;
 use super::{CertificateChoice, CertificateReport, CertificateViolation, MAX_DESCRIBED};
 use lab::random::SeededRandom;
 
-/// Ticks of one system.
 const TICKS: u64 = 40;
-/// Advances within one tick, where each stops after one piece.
 const MOST_PARTS: u32 = 64;
-/// An orbit that has grown as far is over: rounding is as large as its guards.
+/// Size at which an orbit ends: rounding is as large as its guards.
 const FAR: f64 = 1e6;
 
-/// A system with its input and its method.
 #[derive(Debug)]
 pub(super) struct Trial {
     number: u64,
@@ -24,14 +21,13 @@ pub(super) struct Trial {
     kind: InputKind,
     input: Input,
     method: Any,
-    /// Whether each advance stops after one piece, so that each piece has a verdict of its own.
+    /// `true` if each advance stops after one piece, so that each piece has its own verdict.
     is_single: bool,
     /// Length of a tick (s).
     h: f64,
 }
 
 impl Trial {
-    /// The system of this `number`.
     pub(super) fn new(choice: &CertificateChoice, number: u64) -> Self {
         let mut random = SeededRandom::new(choice.seed, number);
         let h = random.spread(1e-3, 1.0);
@@ -53,7 +49,6 @@ impl Trial {
         Self { number, model, kind, input, method, is_single, h }
     }
 
-    /// Runs it, and adds what it gave to `report`.
     #[expect(
         clippy::large_stack_frames,
         reason = "a simulator of any method has room for the largest dense output; offline"
@@ -73,8 +68,7 @@ impl Trial {
         }
     }
 
-    /// Advances one tick, in parts if each piece is advanced alone; returns whether it came to its
-    /// end.
+    /// Advances one tick, perhaps piece by piece; returns `true` if it reached the end.
     fn tick(
         &self,
         tick: u64,
@@ -98,8 +92,6 @@ impl Trial {
         false
     }
 
-    /// Adds an advance to the report: where guards were negative, and what of that was called
-    /// certain.
     fn judge(&self, tick: u64, done: &Tick, pieces: &[SeenPiece], report: &mut CertificateReport) {
         let [certain, unknown] = [done.work.certain, done.work.unknown].map(u64::from);
         report.steps += certain + unknown;
@@ -108,7 +100,7 @@ impl Trial {
         report.events += u64::from(done.work.events);
         let negative: Vec<_> = pieces.iter().filter_map(SeenPiece::negative).collect();
         report.negative += negative.len() as u64;
-        // Which step of several is the certain one is not told: as many are right as can be.
+        // The certain step among several is unknown: assume as many valid ones as possible.
         let wrong = (negative.len() as u64).saturating_sub(unknown);
         report.violations += wrong;
         if wrong > 0 && report.described.len() < MAX_DESCRIBED {

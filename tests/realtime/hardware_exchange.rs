@@ -1,4 +1,4 @@
-//! The exchange with the boards alone, on good wires and bad ones.
+//! The exchange with the boards alone, on good and faulty wires.
 
 use boards::links::faulty::{Chance, FaultPlan, LinkFault};
 use firmware_protocol::key::BoardId;
@@ -9,7 +9,6 @@ use crate::stage::{keybed, play_all, scene};
 use crate::tick::WATCHED;
 use crate::trap;
 
-/// Asserts that receiving and sending leave the heap alone under `plan` on every wire.
 #[track_caller]
 fn check(plan: &FaultPlan) {
     let watch = trap::watch();

@@ -1,8 +1,8 @@
 //! The whole tick allocates nothing and frees nothing.
 //!
-//! [`trap`] is a global allocator that counts what marked threads ask of it: the tick's own
-//! thread while it ticks, and the threads of the lanes from their first tick after the
-//! warm-up to their last. Everything else in this program may allocate meanwhile.
+//! [`trap`] is a global allocator that counts the calls of marked threads: the tick's own thread
+//! while it ticks, and the threads of the lanes from their first tick after the warm-up to their
+//! last.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod hardware_exchange;

@@ -1,4 +1,4 @@
-//! Marks the threads of the lanes, from inside: with a voice that runs on them.
+//! Marks the threads of the lanes from inside, by a voice that runs on them.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use scheduler::voice::{Voice, VoiceInternals, VoiceOutput};
 
 use crate::trap::{self, Zone};
 
-/// A voice that marks the thread it runs on, for some ticks and all that is between them.
+/// A voice that marks the thread on which it runs, for some ticks and between them.
 struct Marking {
     voice: BoxedVoice,
     ticks: Range<u64>,
@@ -50,9 +50,8 @@ impl Voice for Marking {
     }
 }
 
-/// Has every lane marked over `ticks`, by each voice, since they change lanes.
-///
-/// A lane is unmarked by the first tick after them, which must be run.
+/// Marks every lane over `ticks`, by each voice, since they change lanes. The first tick after them
+/// unmarks the lanes, and must be run.
 pub(crate) fn mark_lanes(voices: &mut [(usize, BoxedVoice)], ticks: &Range<u64>) {
     for (_key, voice) in voices {
         let inner = std::mem::replace(voice, Box::new(Silent));
@@ -60,7 +59,6 @@ pub(crate) fn mark_lanes(voices: &mut [(usize, BoxedVoice)], ticks: &Range<u64>)
     }
 }
 
-/// A voice that does nothing.
 struct Silent;
 
 impl Voice for Silent {

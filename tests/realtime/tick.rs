@@ -1,4 +1,4 @@
-//! Ticks in which nothing goes wrong: every model, every method, one lane and two.
+//! Ticks without faults: every model, every method, one lane and two.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -21,26 +21,23 @@ use crate::marking::mark_lanes;
 use crate::stage::{Stage, keybed, play_all, scene, voices};
 use crate::trap;
 
-/// Ticks in which whatever is set up once is set up.
 pub(crate) const WARM_UP: u64 = 200;
-/// Ticks that are watched: every key is struck five times and more.
+/// Watched ticks: every key is struck at least five times.
 pub(crate) const WATCHED: Range<u64> = WARM_UP..WARM_UP + 3000;
 
-/// What the tick publishes to, and what every key has done.
 pub(crate) struct Audience {
     publisher: TickPublisher,
-    /// What telemetry takes; nobody empties its rings, so that they are also seen full.
+    /// Telemetry with rings that are never emptied, so that full ones are covered.
     tap: TickRecorder,
     tapped: TickRecorderRings,
     pub(crate) ring: Consumer<MidiEvent>,
     pub(crate) counters: Arc<LiveCounters>,
-    /// Ticks in which each key's equations were run, and reset maps applied.
+    /// Ticks in which each key's equations ran, and applied reset maps.
     active: [u32; KEYS],
     events: [u32; KEYS],
 }
 
 impl Audience {
-    /// With a ring of `places`.
     pub(crate) fn new(places: usize) -> Self {
         let (producer, ring) = rtrb::RingBuffer::new(places);
         let bell = Arc::new(WakeFd::new().expect("a descriptor"));
@@ -71,7 +68,7 @@ impl TickObserver for Audience {
     }
 }
 
-/// The voices of `scene` on `bus`, with lanes marked and an audience.
+/// Builds the voices of `scene` on `bus`, with marked lanes and an audience.
 pub(crate) fn stage<B: KeyBus>(scene: &Scene, bus: B, n_lanes: usize) -> Stage<B, Audience> {
     let mut voices = voices(scene);
     mark_lanes(&mut voices, &WATCHED);
@@ -89,7 +86,6 @@ pub(crate) fn run_watched<B: KeyBus>(stage: &mut Stage<B, Audience>) {
     }
 }
 
-/// Asserts that the tick of `scene`, every key being played, leaves the heap alone.
 #[track_caller]
 fn check(scene: &Scene, n_lanes: usize) -> Audience {
     let watch = trap::watch();
@@ -107,7 +103,6 @@ fn check(scene: &Scene, n_lanes: usize) -> Audience {
     audience
 }
 
-/// The models of the scene `mixed`.
 const MODELS: [&str; 6] = [
     "key-hammer-springs",
     "key-hammer-rigid",
@@ -164,13 +159,13 @@ fn the_loop_in_real_time_leaves_the_heap_alone() {
     };
     let stop = AtomicBool::new(false);
     let (start, until) = (clock::monotonic(), Until { stop: &stop, ticks: Some(2000) });
-    // The machine may skip ticks, so the lane is marked until it ends with its last one.
+    // The machine may skip ticks, so the lane stays marked until it ends with its last one.
     trap::within(|| {
         run::run(&mut assembly, start, until, &mut timings, |_pulse| {});
         run::ramp_down(&mut assembly);
     });
     assert_eq!(watch.caught(), (0, 0));
-    // A machine that holds everything up for a tick or more has its ticks skipped.
+    // A pause of the machine for a tick or more skips ticks.
     let counters = timings.counters();
     assert!(2000 <= counters.ticks + counters.skipped, "{counters:?}");
     assert!(0 < counters.ticks, "{counters:?}");

@@ -1,4 +1,4 @@
-//! An allocator that counts who calls it when nobody should: the one unsafe island here.
+//! An allocator that counts forbidden calls: the only unsafe code here.
 #![expect(unsafe_code, reason = "a global allocator cannot be written without it")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -15,19 +15,18 @@ static ALLOCATED: AtomicU64 = AtomicU64::new(0);
 static FREED: AtomicU64 = AtomicU64::new(0);
 
 thread_local! {
-    /// Without a destructor and constant, so that looking at it never allocates.
+    /// Without a destructor and constant, so that reading it never allocates.
     static IN_TICK: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Counts if the calling thread is in a tick.
 fn count(counter: &AtomicU64) {
     if IN_TICK.get() {
         counter.fetch_add(1, Relaxed);
     }
 }
 
-// SAFETY: every call goes on to `System` with the arguments it came with and returns what
-// `System` returns; counting touches no memory of the heap.
+// SAFETY: every call passes its arguments to `System` and returns its result; counting touches no
+// memory of the heap.
 unsafe impl GlobalAlloc for Trap {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count(&ALLOCATED);
@@ -55,22 +54,20 @@ unsafe impl GlobalAlloc for Trap {
     }
 }
 
-/// Where a thread is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Zone {
-    /// In a tick, where the heap is out of bounds.
+    /// In a tick, where the heap is forbidden.
     Tick,
     Elsewhere,
 }
 
-/// Says where the calling thread is from now on.
 pub(crate) fn enter(zone: Zone) {
     IN_TICK.set(zone == Zone::Tick);
 }
 
-/// Does `work` on the calling thread as if in a tick.
+/// Calls `work` on this thread as if in a tick.
 pub(crate) fn within<T>(work: impl FnOnce() -> T) -> T {
-    /// Leaves even if an assertion fails in a tick.
+    /// Leaves the tick even if an assertion fails.
     struct Leave;
     impl Drop for Leave {
         fn drop(&mut self) {
@@ -82,15 +79,13 @@ pub(crate) fn within<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// The right to use the trap, of which there is one: tests of this program run in turn.
+/// The right to use the trap, which exists once: tests of this program run in turn.
 #[derive(Debug)]
 pub(crate) struct Watch {
     _turn: MutexGuard<'static, ()>,
-    /// What the tests before have left.
     before: (u64, u64),
 }
 
-/// Takes the trap.
 pub(crate) fn watch() -> Watch {
     static TURN: Mutex<()> = Mutex::new(());
     let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
@@ -98,7 +93,7 @@ pub(crate) fn watch() -> Watch {
 }
 
 impl Watch {
-    /// Allocations and frees in ticks since the trap was taken.
+    /// Returns allocations and frees in ticks since the trap was taken.
     pub(crate) fn caught(&self) -> (u64, u64) {
         let (allocated, freed) = counts();
         (allocated - self.before.0, freed - self.before.1)

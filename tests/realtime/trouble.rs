@@ -1,4 +1,4 @@
-//! Ticks in which something goes wrong: faults, a full ring, a lane that is late.
+//! Ticks with faults, a full ring, or a late lane.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -18,7 +18,7 @@ use crate::stage::{Stage, keybed, play_all, scene, voices};
 use crate::tick::{Audience, WARM_UP, WATCHED, run_watched, stage};
 use crate::trap;
 
-/// A key on the lane that is not the tick's own, of two.
+/// A key on the second of two lanes, not the tick's own.
 const ELSEWHERE: usize = 42;
 
 #[test]
@@ -72,7 +72,7 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
     for tick in 0..=WATCHED.end {
         if WATCHED.contains(&tick) {
             if let Some((key, voice)) = others.pop() {
-                // Every other one goes on where the one before is.
+                // Every other one continues from the state before.
                 let change = CHANGES[others.len() % 2];
                 stage.swaps.send(key, change(voice)).expect("room for it");
             }
@@ -86,7 +86,6 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
     assert_eq!(replaced, n_others);
 }
 
-/// Counts voices whose force does not follow from the one before.
 struct FreshTurns(usize);
 
 impl TickObserver for FreshTurns {
@@ -121,7 +120,7 @@ fn a_voice_that_is_retuned_leaves_the_heap_alone() {
     }
 }
 
-/// A voice whose lane cannot go on from tick `from` before `reached` is `until`.
+/// A voice whose lane cannot continue from tick `from` before `reached` is `until`.
 struct Delayed {
     from: u64,
     until: u64,
@@ -151,7 +150,7 @@ fn a_lane_that_is_late_leaves_the_heap_alone() {
     voices[ELSEWHERE].1 = Box::new(Delayed { from, until, reached: Arc::clone(&reached) });
     mark_lanes(&mut voices, &WATCHED);
     let mut stage = Stage::of(voices, scene.tick_hz, bus, 2).watched_by(Audience::new(1 << 16));
-    // Whoever waits for the delayed lane with patience would wait for ever.
+    // Any real wait for the delayed lane would never end.
     let none = WaitLimit::Until { time: Nanos::ZERO, share: Nanos::ZERO };
     for tick in 0..=WATCHED.end {
         let patience = if (from..until).contains(&tick) { none } else { WaitLimit::Endless };
@@ -172,7 +171,6 @@ fn a_lane_that_is_late_leaves_the_heap_alone() {
 
 #[test]
 fn the_trap_sees_the_threads_of_the_lanes() {
-    /// A voice that does what no voice may.
     struct Hoarding(Vec<u64>);
     impl Voice for Hoarding {
         fn tick(&mut self, tick: u64, _sample: &KeySample, _turn: &mut VoiceOutput) {

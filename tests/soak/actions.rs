@@ -1,4 +1,4 @@
-//! What a tuner, failing models and a full disk do at which tick.
+//! Actions of a tuner, failing models and a full disk, by tick.
 
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -17,36 +17,31 @@ use telemetry::request::Change;
 
 use crate::plan::{BadValues, SoakPlan};
 
-/// Size beyond which no file grows while the disk is full (B).
+/// Size limit of files while the disk is full (B).
 const FULL: u64 = 64 << 10;
 
-/// What happens between two ticks.
 #[derive(Clone, Debug)]
 enum PlannedAction {
-    /// A voice gets these values, unchecked.
+    /// Sets these values of a voice, unchecked.
     Retune(usize, u64, Vec<f64>),
     Ask(Request),
-    /// No file may grow any further.
     Fill,
-    /// Files may grow again.
     Clear,
 }
 
-/// What became of actions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ActionCounts {
     pub(crate) retuned: u64,
-    /// Requests with values that are allowed, and those of them that were refused.
+    /// Requests with valid values, and the refused ones among them.
     pub(crate) asked: u64,
     pub(crate) refused: Vec<String>,
-    /// Requests with values that are none, and those of them that were taken.
+    /// Requests with invalid values, and the accepted ones among them.
     pub(crate) wrong: u64,
     pub(crate) wrong_taken: u64,
-    /// What could not be done, a sentence each.
     pub(crate) failed: Vec<String>,
 }
 
-/// The keys whose voices have values that are no numbers: a bit for each.
+/// A bit for each key whose voice has values that are not finite.
 #[derive(Clone, Debug)]
 pub(crate) struct FailingVoices(Arc<[AtomicBool; KEYS]>);
 
@@ -72,7 +67,6 @@ impl FailingVoices {
     }
 }
 
-/// A shared look at what was done.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SharedActed(Arc<Mutex<ActionCounts>>);
 
@@ -82,12 +76,11 @@ impl SharedActed {
     }
 }
 
-/// The names of the recordings.
 #[derive(Clone, Debug)]
 pub(crate) struct RecordingPaths {
-    /// The one that ends when the disk is full.
+    /// Ends when the disk is full.
     pub(crate) cut_short: PathBuf,
-    /// The one that is begun when there is room again.
+    /// Begins when there is room again.
     pub(crate) second: PathBuf,
 }
 
@@ -97,7 +90,6 @@ impl RecordingPaths {
     }
 }
 
-/// Does what is planned when its tick has come.
 #[derive(Debug)]
 pub(crate) struct Actor {
     run: Arc<RunHandle>,
@@ -105,7 +97,7 @@ pub(crate) struct Actor {
     coming: VecDeque<(u64, PlannedAction)>,
     acted: SharedActed,
     failing: FailingVoices,
-    /// The limit on the size of files that is put back.
+    /// Original limit on the size of files.
     usual: Rlimit,
 }
 
@@ -129,12 +121,10 @@ impl Actor {
         (it, acted)
     }
 
-    /// Returns a shared look at the keys whose voices have impossible values.
     pub(crate) fn failing(&self) -> FailingVoices {
         self.failing.clone()
     }
 
-    /// Does all that is due before `tick`.
     pub(crate) fn act_until(&mut self, tick: u64) {
         while self.coming.front().is_some_and(|(due, _)| *due < tick) {
             let Some((_, action)) = self.coming.pop_front() else { return };
@@ -142,7 +132,6 @@ impl Actor {
         }
     }
 
-    /// Returns whether nothing is left to do.
     pub(crate) fn is_done(&self) -> bool {
         self.coming.is_empty()
     }
@@ -203,7 +192,7 @@ impl Drop for Actor {
     }
 }
 
-/// Values beyond this are in no parameter's range.
+/// Values beyond this are out of every parameter's range.
 const WILD: f64 = 1e7;
 
 fn voices(scene: &Scene, plan: &SoakPlan) -> Vec<(u64, PlannedAction)> {

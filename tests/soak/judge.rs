@@ -1,4 +1,4 @@
-//! The verdicts: what the host promises, and what was seen.
+//! The verdicts: promises of the host, and observations.
 
 use scheduler::motion::KEYS;
 
@@ -8,12 +8,11 @@ use crate::report::PromiseVerdict;
 use crate::trial::{PlayedTrial, SoakChoice, SoakTime};
 use crate::watch::BrokenPromise;
 
-/// Time beyond its key's and the port's after which a note is stuck (s): the port is looked at
-/// once a second, a process is stopped for less, and a damper falls a little after its key is let
-/// go.
+/// Time beyond the end of its key and port after which a note is stuck (s): the port is polled once
+/// a second, a process is stopped for less, and a damper falls a little after its key is let go.
 const LATE: f64 = 2.0;
 
-/// Returns what became of every promise; `undisturbed` is the same music without faults.
+/// Returns the verdict on every promise; `undisturbed` is the same music without faults.
 pub(crate) fn judge(
     choice: &SoakChoice,
     plan: &SoakPlan,

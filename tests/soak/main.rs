@@ -3,21 +3,21 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | `plan` | what will be played and what will go wrong, all of it from one seed |
+//! | `plan` | the music and the faults, all from one seed |
 //! | `music` | the strokes of the fingers |
 //! | `watch` | between scheduler and keys: spoils samples, checks forces |
-//! | `actions` | what a tuner, failing models and a full disk do at which tick |
+//! | `actions` | actions of a tuner, failing models and a full disk, by tick |
 //! | `synthesizer` | the destination of MIDI, whose port vanishes |
 //! | `telling` | events and log lines of the run |
-//! | `recordings` | what became of the recordings |
-//! | `strangers` | in real time: clients that stall or send rubbish, busy processors, a stopped process |
-//! | `trial` | what is tried, and what came of one run |
+//! | `recordings` | checks of the recordings |
+//! | `strangers` | in real time: bad clients, busy processors, a stopped process |
+//! | `trial` | settings and result of one run |
 //! | `judge` | the verdicts |
 //! | `report` | the trial in words |
 //! | `run` | plays the plan, and the same music without faults |
 //!
-//! In virtual time the same music is played a second time without any fault: keys that nothing
-//! befell must have felt the same to the last bit.
+//! In virtual time the same music is played a second time without faults: spared keys must feel the
+//! same to the last bit.
 #![forbid(unsafe_code)]
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command for people")]
 
@@ -47,7 +47,7 @@ use tokio::signal::unix::{SignalKind, signal};
 
 use trial::{SoakChoice, SoakTime};
 
-/// Shortest trial (s): there must be time to fail and to recover.
+/// Shortest trial (s), with time to fail and to recover.
 const SHORTEST: i64 = 10;
 
 /// Tries the whole host under random music and faults in everything around it.
@@ -116,7 +116,6 @@ fn soak(args: &SoakArgs) -> Result<bool, Box<dyn Error>> {
     Ok(verdicts.iter().all(|verdict| verdict.is_kept))
 }
 
-/// Returns the scene on simulated keys, without its pianist and its MIDI output.
 fn scene(name: &str) -> Result<Scene, Box<dyn Error>> {
     let set = [("pianist.performance", "none"), ("midi.output", "none")];
     let set = set.map(|(name, value)| Override::from((name.to_owned(), value.to_owned())));

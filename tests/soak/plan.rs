@@ -1,4 +1,4 @@
-//! What will be played and what will go wrong, all of it from one seed.
+//! The music and the faults of a trial, all from one seed.
 
 use std::ops::Range;
 
@@ -10,13 +10,12 @@ use scheduler::motion::KEYS;
 
 use crate::music;
 
-/// Time at the beginning and at the end in which nothing goes wrong (s).
+/// Time at the start and at the end without faults (s).
 const CALM: (f64, f64) = (1.0, 3.0);
 
-/// Longest time for which the MIDI port is away (s).
+/// Longest absence of the MIDI port (s).
 pub(crate) const LONGEST_AWAY: f64 = 2.0;
 
-/// How the values of a voice's model go wrong.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum BadValues {
     NotANumber,
@@ -25,13 +24,11 @@ pub(crate) enum BadValues {
 }
 
 impl BadValues {
-    /// Returns those of the voice with this number.
     const fn number(n: usize, seed: u64) -> Self {
         if n.is_multiple_of(2) { Self::NotANumber } else { Self::Wild(seed) }
     }
 }
 
-/// A key in which something goes wrong for a while.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct KeyTrouble<T> {
     pub(crate) key: usize,
@@ -39,42 +36,36 @@ pub(crate) struct KeyTrouble<T> {
     pub(crate) what: T,
 }
 
-/// A tuner's change of one value of a key.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Tuning {
     pub(crate) key: usize,
     pub(crate) tick: u64,
-    /// Which of the model's parameters, as a share of their number.
+    /// Index of the parameter, as a share of their number.
     pub(crate) parameter: f64,
-    /// The factor of its value, or what is no value at all.
+    /// Factor of its value, possibly NaN.
     pub(crate) factor: f64,
 }
 
-/// What will be played and what will go wrong.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct SoakPlan {
     pub(crate) ticks: u64,
     pub(crate) music: Vec<(KeyIndex, Vec<Gesture>)>,
     pub(crate) wires: Vec<(BoardId, FaultPlan)>,
-    /// Exchanges in which a board hears nothing and is not heard.
+    /// Exchanges in which a board is cut off.
     pub(crate) silences: Vec<(BoardId, Vec<Range<u64>>)>,
-    /// Sensors that say NaN.
     pub(crate) sensors: Vec<KeyTrouble<()>>,
     pub(crate) voices: Vec<KeyTrouble<BadValues>>,
     pub(crate) tunings: Vec<Tuning>,
-    /// Ticks in which there is no MIDI port.
     pub(crate) away: Vec<Range<u64>>,
-    /// Ticks in which no file may grow.
     pub(crate) full: Range<u64>,
-    /// The tick from which on something may befall each key; the end for one that is spared.
+    /// First tick of a fault at each key; the end for a spared one.
     pub(crate) first: [u64; KEYS],
 }
 
-/// Draws times within a run.
 struct PlanDraw {
     random: Random,
     hz: f64,
-    /// The time within which things go wrong (s).
+    /// Time of faults (s).
     span: Range<f64>,
 }
 
@@ -101,7 +92,6 @@ impl PlanDraw {
         }
     }
 
-    /// Returns `items` in a random order.
     fn shuffled<T>(&mut self, mut items: Vec<T>) -> Vec<T> {
         for end in (1..items.len()).rev() {
             let share = self.random.unit() * (end + 1) as f64;
@@ -201,7 +191,7 @@ impl SoakPlan {
         for key in keys.by_ref().take(10) {
             for ticks in draw.spans((0.2, 3.0), (0.0, 0.1)) {
                 let parameter = draw.random.unit();
-                // A factor of none is no value, and one of ten may be out of range.
+                // A NaN factor gives an invalid value, and one of ten may be out of range.
                 let factor = match draw.random.next() % 8 {
                     0 => f64::NAN,
                     1 => 1e9,
@@ -219,12 +209,10 @@ impl SoakPlan {
         }
     }
 
-    /// Returns the keys that nothing befalls.
     pub(crate) fn spared(&self) -> impl Iterator<Item = usize> {
         (0..KEYS).filter(|key| self.first[*key] == u64::MAX)
     }
 
-    /// Returns the same music, in which nothing goes wrong.
     pub(crate) fn undisturbed(&self) -> Self {
         Self {
             wires: Vec::new(),

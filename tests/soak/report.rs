@@ -4,18 +4,16 @@ use crate::plan::SoakPlan;
 use crate::trial::{PlayedTrial, SoakChoice, SoakTime};
 use crate::watch::Digest;
 
-/// A promise, and whether it was kept.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct PromiseVerdict {
     pub(crate) promise: &'static str,
     pub(crate) is_kept: bool,
-    /// Observations behind the verdict, in words.
     pub(crate) seen: String,
 }
 
-/// Returns what was played, what went wrong on purpose, and a line for each verdict.
+/// Returns the music, the intended faults, and a line for each verdict.
 ///
-/// The digest is made of the forces of all keys and every MIDI message: in virtual time a seed gives
+/// The digest covers the forces of all keys and every MIDI message: in virtual time a seed gives
 /// one digest.
 pub(crate) fn text(
     choice: &SoakChoice,

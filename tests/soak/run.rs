@@ -87,7 +87,6 @@ fn play(
     Ok(PlayedTrial { report, seen, sounds, told, acted, strangers, recordings })
 }
 
-/// Runs `session` to its end, with `actor` on a thread beside it.
 fn run_beside(
     session: RunSession,
     actor: Option<Actor>,
@@ -104,7 +103,6 @@ fn run_beside(
     })
 }
 
-/// Acts when the tick of each action has come, until the run is over.
 fn act_in_time(mut actor: Actor, now: &AtomicU64, is_over: &AtomicBool) {
     while !is_over.load(Ordering::Acquire) && !actor.is_done() {
         actor.act_until(now.load(Ordering::Acquire));

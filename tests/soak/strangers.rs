@@ -1,5 +1,5 @@
-//! Disturbances beside a run in real time: clients that stall or send rubbish, busy processors, and
-//! a shell that stops the process for a moment.
+//! Disturbances of a run in real time: clients that stall or send rubbish, busy processors, and a
+//! shell that stops the process for a short time.
 
 use std::io::{self, Read as _, Write as _};
 use std::net::{Ipv4Addr, SocketAddr, TcpStream};
@@ -15,11 +15,10 @@ use host::control::{RequestHandler, StreamSink};
 use host::session::RunSession;
 use telemetry::stream::{Closer, ServerSettings, StreamServer, serve};
 
-/// How long the process is stopped (s), and how long it is left alone before and between.
+/// Length of a stop (s), and of the pauses before and between.
 const STOPPED: f64 = 0.3;
 const PAUSE: Duration = Duration::from_secs(7);
 
-/// Strangers beside a run, at work.
 #[derive(Debug)]
 pub(crate) struct Strangers {
     threads: Vec<JoinHandle<()>>,
@@ -35,7 +34,7 @@ struct StrangerState {
 }
 
 impl StrangerState {
-    /// Waits for `pause`; says whether there is more to do.
+    /// Waits for `pause`; returns `true` if there is more to do.
     fn goes_on(&self, pause: Duration) -> bool {
         let mut left = pause;
         while !self.is_over.load(Ordering::Acquire) {
@@ -47,11 +46,10 @@ impl StrangerState {
     }
 }
 
-/// Time between two looks whether it is over.
 const LOOK: Duration = Duration::from_millis(20);
 
 impl Strangers {
-    /// Streams `session` by a port of this machine, and lets strangers loose.
+    /// Streams `session` on a port of this machine, and starts strangers.
     pub(crate) fn start(session: &RunSession, requests: Arc<RequestHandler>) -> io::Result<Self> {
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
         let settings = ServerSettings { address, insecure: true, ..ServerSettings::default() };
@@ -61,7 +59,7 @@ impl Strangers {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         let shared = Arc::new(StrangerState::default());
         let served = move || {
-            // It ends when it is closed; an error ends it too, and nobody is streamed to.
+            // It ends when it is closed; an error ends it too, without any client.
             let _ended = runtime.block_on(serve(server, requests));
         };
         let mut threads = vec![std::thread::spawn(served)];
@@ -76,12 +74,11 @@ impl Strangers {
         Ok(Self { threads, closer, shared })
     }
 
-    /// Ends them, and returns what they did, in words.
     pub(crate) fn stop(self) -> Vec<String> {
         self.shared.is_over.store(true, Ordering::Release);
         self.closer.close("the trial is over".to_owned());
         for thread in self.threads {
-            // One that panicked is no part of the host.
+            // A panic of a stranger is not the host's fault.
             let _ended = thread.join();
         }
         let count = |counter: &AtomicU64| counter.load(Ordering::Relaxed);
@@ -93,7 +90,6 @@ impl Strangers {
     }
 }
 
-/// What a client of the stream says first.
 const HANDSHAKE: &str = "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\n\
                          Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\
                          Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\
@@ -113,7 +109,6 @@ fn frame(text: &str) -> Vec<u8> {
     [&[0x81, 0x80 | 0x7e], &length[..], &[0; 4], text.as_bytes()].concat()
 }
 
-/// Subscribes to everything and never reads it.
 fn stall(shared: &StrangerState, address: SocketAddr) {
     let subscriptions: Vec<_> =
         (1..200).map(|id| format!(r#"{{"id":{id},"channelId":{id}}}"#)).collect();
@@ -121,12 +116,12 @@ fn stall(shared: &StrangerState, address: SocketAddr) {
     loop {
         let stalled = connect(shared, address).and_then(|mut stream| {
             stream.write_all(HANDSHAKE.as_bytes())?;
-            // The answer to the handshake; what follows is left there.
+            // The answer to the handshake; the rest stays unread.
             let _answer = stream.read(&mut [0; 64])?;
             stream.write_all(&frame(&wish))?;
             Ok(stream)
         });
-        // It is turned away at some time, and comes again.
+        // The host drops it at some time, and it returns.
         if !shared.goes_on(PAUSE) {
             return;
         }
@@ -134,7 +129,6 @@ fn stall(shared: &StrangerState, address: SocketAddr) {
     }
 }
 
-/// Sends rubbish, before and after a handshake.
 fn send_rubbish(shared: &StrangerState, address: SocketAddr) {
     let mut random = Random(1);
     while shared.goes_on(Duration::from_millis(50)) {
@@ -149,7 +143,7 @@ fn send_rubbish(shared: &StrangerState, address: SocketAddr) {
     }
 }
 
-/// Keeps a processor busy, a second out of four.
+/// Keeps a processor busy for one second in four.
 fn keep_busy(shared: &StrangerState, _address: SocketAddr) {
     while shared.goes_on(Duration::from_secs(3)) {
         let mut random = Random(1);
@@ -164,7 +158,7 @@ fn keep_busy(shared: &StrangerState, _address: SocketAddr) {
     }
 }
 
-/// Has the process stopped and continued, as `kill -STOP` and `kill -CONT` do.
+/// Stops and continues the process, as `kill -STOP` and `kill -CONT` do.
 fn stop_the_process(shared: &StrangerState, _address: SocketAddr) {
     let process = std::process::id();
     let script = format!("kill -STOP {process}; sleep {STOPPED}; kill -CONT {process}");
@@ -175,7 +169,6 @@ fn stop_the_process(shared: &StrangerState, _address: SocketAddr) {
     }
 }
 
-/// Returns how many threads of the machine run at once.
 fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, NonZeroUsize::get)
 }

@@ -1,4 +1,4 @@
-//! The destination of MIDI: it holds what sounds when its port vanishes, as an instrument does.
+//! The destination of MIDI: like an instrument, it keeps sounding when its port vanishes.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -8,17 +8,15 @@ use midi::{MidiSystem, Unavailable};
 
 use crate::watch::Digest;
 
-/// What the instrument sounds, by the number of the note.
 #[derive(Clone, Debug)]
 pub(crate) struct Sounds {
-    /// The tick since which each note sounds.
+    /// Start tick of each sounding note, by number.
     since: [Option<u64>; 128],
-    /// The longest time for which a note sounded (ticks).
+    /// Longest sounding of a note (ticks).
     pub(crate) longest: u64,
     pub(crate) notes: u64,
-    /// Times that the port was found to be away.
     pub(crate) lost: u64,
-    /// All messages that came, in their order.
+    /// All received messages, in order.
     pub(crate) digest: Digest,
 }
 
@@ -30,12 +28,11 @@ impl Default for Sounds {
 }
 
 impl Sounds {
-    /// Returns the notes that sound.
     pub(crate) fn sounding(&self) -> usize {
         self.since.iter().flatten().count()
     }
 
-    /// Takes a message at `now` (ticks, or another unit of the caller's).
+    /// Receives a message at `now` (ticks, or another unit of the caller's).
     pub(crate) fn take(&mut self, bytes: &[u8], now: u64) {
         for byte in bytes {
             self.digest.add(u64::from(*byte));
@@ -56,7 +53,6 @@ impl Sounds {
     }
 }
 
-/// A shared look at the instrument.
 #[derive(Clone, Debug)]
 pub(crate) struct Synthesizer(Arc<Mutex<Sounds>>);
 
@@ -69,19 +65,17 @@ impl Synthesizer {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns its port, which is away in the ticks `away`, by the tick in `now`.
+    /// Returns its port, which is missing in the ticks `away`, by the tick in `now`.
     pub(crate) fn port(&self, away: Vec<Range<u64>>, now: Arc<AtomicU64>) -> SynthesizerPort {
         SynthesizerPort { synthesizer: self.clone(), away, now, connected: None }
     }
 }
 
-/// The way to the instrument.
 #[derive(Debug)]
 pub(crate) struct SynthesizerPort {
     synthesizer: Synthesizer,
     away: Vec<Range<u64>>,
     now: Arc<AtomicU64>,
-    /// The tick at which it was connected, if it is.
     connected: Option<u64>,
 }
 

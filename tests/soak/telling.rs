@@ -1,4 +1,4 @@
-//! What telemetry and the log say of a run.
+//! Reports of telemetry and the log on a run.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -8,18 +8,16 @@ use scheduler::motion::KEYS;
 use telemetry::event::Kind;
 use telemetry::{Event, Topic, Update};
 
-/// What was told of a run.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ToldEvents {
-    /// Faults and recoveries of each key.
+    /// Number of faults and recoveries of each key.
     pub(crate) faults: BTreeMap<usize, u64>,
     pub(crate) recoveries: u64,
-    /// The lines of the log.
     pub(crate) lines: Vec<String>,
 }
 
 impl ToldEvents {
-    /// Returns how many lines the log had on voices, those that were held back as well.
+    /// Returns the number of log lines on voices, suppressed ones included.
     pub(crate) fn lines_on_voices(&self) -> u64 {
         let of = |line: &String| {
             let held =
@@ -35,7 +33,6 @@ impl ToldEvents {
     }
 }
 
-/// A shared look at what was told.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Telling(Arc<Mutex<ToldEvents>>);
 
@@ -44,12 +41,11 @@ impl Telling {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns a sink that counts events.
     pub(crate) fn counter(&self) -> Box<dyn MessageSink> {
         Box::new(EventCounter(self.clone()))
     }
 
-    /// Returns the host's own log, whose lines are kept.
+    /// Returns the host's own log, with lines kept.
     pub(crate) fn log(&self) -> Box<dyn MessageSink> {
         let told = self.clone();
         Box::new(LogSink::new(Box::new(move |_level, line| told.told().lines.push(line))))

@@ -9,7 +9,7 @@ fn run(arguments: &str) -> Output {
     command.args(arguments.split(' ')).output().expect("the program runs")
 }
 
-/// The report of a trial in virtual time in which every promise is kept.
+/// Returns the report of a trial in virtual time in which every promise is kept.
 #[track_caller]
 fn tried(seconds: u32, seed: u32) -> String {
     let output = run(&format!("springs --duration {seconds} --seed {seed}"));
@@ -21,7 +21,7 @@ fn tried(seconds: u32, seed: u32) -> String {
 fn every_promise_is_kept_while_everything_goes_wrong() {
     let report = tried(40, 3);
     assert_eq!(report.matches("\n  kept    ").count(), 10, "{report}");
-    // Nothing is proved by what did not go wrong.
+    // Faults that did not occur prove nothing.
     for (what, least) in [
         (" notes;", 1000),
         (" lost,", 500),

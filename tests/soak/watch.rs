@@ -15,13 +15,12 @@ use crate::plan::SoakPlan;
 /// A motor's force that counts as none (N): it fades by its own lag.
 const NO_FORCE: f64 = 1e-3;
 
-/// Time from a board's last forces until its motors have none (s): its own patience, the fade of
-/// 10 ms, and the motors' lag.
+/// Time from a board's last forces until its motors have none (s): its own patience, the fade of 10
+/// ms, and the motors' lag.
 const BOARD_FADE: f64 = 0.05;
 
-/// Numbers in one number that is another one if any of them is.
-///
-/// FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo, on words of 64 bits.
+/// Digest of numbers that differs if any of them does: FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo,
+/// on words of 64 bits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Digest(pub(crate) u64);
 
@@ -37,7 +36,6 @@ impl Digest {
     }
 }
 
-/// How often a promise was broken, and where first.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(crate) struct BrokenPromise {
     pub(crate) times: u64,
@@ -52,27 +50,23 @@ impl BrokenPromise {
     }
 }
 
-/// What was seen of all keys.
 #[derive(Clone, Debug)]
 pub(crate) struct SoakFindings {
     pub(crate) ticks: u64,
-    /// Largest force that was sent, and that a motor gave (N).
+    /// Largest force sent, and largest force of a motor (N).
     pub(crate) sent: f64,
     pub(crate) given: f64,
     pub(crate) over_limit: BrokenPromise,
-    /// Forces without a sample or a voice that could be trusted.
+    /// Forces without a trusted sample or voice.
     pub(crate) untrusted: BrokenPromise,
-    /// Forces of motors whose board is not reached.
+    /// Forces of motors whose board is cut off.
     pub(crate) unreached: BrokenPromise,
-    /// The forces of each key until something may befall it.
+    /// Forces of each key until its first fault.
     pub(crate) before: [Digest; KEYS],
-    /// The forces of each key.
     pub(crate) whole: [Digest; KEYS],
-    /// Frames that were damaged or lost on the way, and those that were missed or refused.
     pub(crate) wires: FrameCounts,
 }
 
-/// What happened to frames.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) struct FrameCounts {
     pub(crate) flipped: u64,
@@ -84,13 +78,12 @@ pub(crate) struct FrameCounts {
     pub(crate) rearmed: u64,
 }
 
-/// The shared place of what was seen.
 pub(crate) type SharedFindings = Arc<Mutex<Option<Box<SoakFindings>>>>;
 
-/// Spoils samples, checks forces, and in virtual time lets happen what is planned beside.
+/// Spoils samples, checks forces, and in virtual time performs the planned actions.
 pub(crate) struct KeyWatch {
     plan: Arc<SoakPlan>,
-    /// Does what is planned between ticks; another thread does in real time.
+    /// Performs actions between ticks; a thread does in real time.
     actor: Option<Actor>,
     failing: FailingVoices,
     now: Arc<AtomicU64>,
@@ -99,7 +92,7 @@ pub(crate) struct KeyWatch {
     /// Ticks for which a force may outlast its sample.
     fade: u32,
     board_fade: u64,
-    /// Ticks since each key had a sample that could be trusted.
+    /// Ticks since each key's last trusted sample.
     untrusted: [u32; KEYS],
     exchanges: u64,
     last_tick: u64,
@@ -162,8 +155,7 @@ impl KeyWatch {
         }
     }
 
-    /// Checks that motors give no more than is allowed, and nothing where their board hears
-    /// nothing.
+    /// Checks that motors give no more than permitted, and nothing where their board is cut off.
     fn check_motors(&mut self, tick: u64, keybed: &SimulatedKeybed) {
         for key in KeyIndex::all() {
             let force = keybed.rig(key).map_or(0.0, |rig| rig.motor_force().abs());
@@ -250,7 +242,7 @@ mod tests {
     use super::*;
     use haptics::plant::RigParameters;
 
-    /// What is seen of ticks in which key 5 has samples of this age and this force (N).
+    /// Returns the findings for ticks in which key 5 has samples of this age and this force (N).
     fn seen(ticks: u64, age: u32, force: f64) -> SoakFindings {
         let plan = Arc::new(SoakPlan::new(1, 20.0, 1000).undisturbed());
         let now = Arc::default();

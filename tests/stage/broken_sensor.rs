@@ -6,12 +6,11 @@ use boards::sim::keybed::SimulatedKeybed;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
-/// A simulated keybed on which one key's sensor fails for a while.
+/// A simulated keybed on which one key's sensor fails for some time.
 #[derive(Debug)]
 pub struct BrokenSensor {
     pub keybed: SimulatedKeybed,
     pub key: usize,
-    /// When its samples are NaN.
     pub ticks: Range<u64>,
 }
 

@@ -1,9 +1,8 @@
 //! Builds and runs the program.
 //!
-//! Cargo tells a test where the programs of its own package are, but `letoff` is that of `cli`.
-//! `cargo xtask test` builds it with the tests and says where it is. Otherwise the program is
-//! built here, once, by the Cargo that runs the tests, into the folder and profile that this
-//! test was built in, and is never an old one.
+//! `cargo xtask test` builds the program of `cli` with the tests and passes its path. Otherwise it
+//! is built here, once, by the Cargo that runs the tests, into the folder and profile of this test,
+//! and is never an old one.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
 use std::fmt::Debug;
@@ -15,7 +14,6 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
 
-/// Where the program is, built now if need be.
 pub(crate) fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(build)
@@ -33,7 +31,7 @@ fn build() -> PathBuf {
     let profile = if name == "debug" { "dev" } else { name };
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut build = Command::new(cargo);
-    // What cargo set for this test: build scripts of others look at it, and would run again.
+    // Cargo's variables for this test would make build scripts run again.
     for (name, _value) in std::env::vars_os() {
         let of_ours = ["CARGO_PKG_", "CARGO_MANIFEST_"];
         if name.to_str().is_some_and(|name| of_ours.iter().any(|it| name.starts_with(it))) {
@@ -50,26 +48,24 @@ fn build() -> PathBuf {
     folder.join("letoff")
 }
 
-/// A folder of its own for the files of one test; those of an earlier run may lie there.
+/// Returns a folder for the files of one test; those of an earlier run may be in it.
 pub(crate) fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("letoff").join(test);
     fs::create_dir_all(&folder).expect("a folder");
     folder
 }
 
-/// `letoff` with `arguments`, to be run in `folder`.
 fn command(folder: &Path, arguments: &[&str]) -> Command {
     with_arguments(Command::new(program()), folder, arguments)
 }
 
 fn with_arguments(mut command: Command, folder: &Path, arguments: &[&str]) -> Command {
     command.current_dir(folder).args(arguments).stdin(Stdio::null());
-    // A host that somebody really plays on this machine is none of our business.
+    // A real host on this machine must not be disturbed.
     command.env("LETOFF_SOCKET", folder.join("socket"));
     command
 }
 
-/// What `letoff` said.
 #[derive(Debug)]
 pub(crate) struct Said {
     pub(crate) code: Option<i32>,
@@ -86,34 +82,30 @@ impl Said {
         said
     }
 
-    /// The lines on stderr.
     pub(crate) fn lines(&self) -> Vec<&str> {
         self.err.lines().collect()
     }
 
-    /// The report that `--json` prints.
     #[track_caller]
     pub(crate) fn report(&self) -> serde_json::Value {
         serde_json::from_str(&self.out).expect("a report as JSON")
     }
 }
 
-/// Runs `letoff` to its end.
 pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Said {
     Said::new(command(folder, arguments).output().expect("the program runs"))
 }
 
-/// The same, after a shell has done `first`.
+/// Runs `letoff` after a shell has run `first`.
 pub(crate) fn run_after(first: &str, folder: &Path, arguments: &[&str]) -> Said {
     let mut shell = Command::new("sh");
     shell.args(["-c", &format!("{first}\nexec \"$0\" \"$@\"")]).arg(program());
     Said::new(with_arguments(shell, folder, arguments).output().expect("a shell"))
 }
 
-/// Runs `letoff` as the least of all users, after a shell has done `first`, in a folder that every
-/// user may enter; nothing unless this user is root.
+/// Like [`run_after`], as the user nobody, in a folder that every user may enter; `None` unless
+/// this user is root.
 pub(crate) fn run_as_nobody(first: &str, arguments: &[&str]) -> Option<Said> {
-    /// The least of all users.
     const NOBODY: u32 = 65_534;
     if !rustix::process::getuid().is_root() {
         let _unheard = writeln!(std::io::stderr(), "SKIPPED: only root can try it as another user");
@@ -130,7 +122,6 @@ pub(crate) fn run_as_nobody(first: &str, arguments: &[&str]) -> Option<Said> {
     Some(said)
 }
 
-/// Runs it with what it prints going to `out`.
 pub(crate) fn run_into(out: impl Into<Stdio>, folder: &Path, arguments: &[&str]) -> Said {
     let mut command = command(folder, arguments);
     command.stdout(out).stderr(Stdio::piped());
@@ -144,18 +135,16 @@ pub(crate) fn run_traced(folder: &Path, trace: &Path, arguments: &[&str]) -> Sai
     Said::new(with_arguments(strace, folder, arguments).output().expect("strace starts"))
 }
 
-/// Starts `letoff`; end it with [`end`].
 pub(crate) fn start(folder: &Path, arguments: &[&str]) -> Child {
     let mut command = command(folder, arguments);
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 
-/// Waits for the end.
 pub(crate) fn end(child: Child) -> Said {
     Said::new(child.wait_with_output().expect("the program ends"))
 }
 
-/// Runs `letoff` and asserts that it says one sentence with all of `words`, and ends with `code`.
+/// Runs `letoff`; asserts exit with `code` and one sentence with all of `words`.
 #[track_caller]
 pub(crate) fn check(folder: &Path, arguments: &[&str], code: i32, words: &[&str]) -> Said {
     let said = run(folder, arguments);
@@ -165,7 +154,6 @@ pub(crate) fn check(folder: &Path, arguments: &[&str], code: i32, words: &[&str]
     said
 }
 
-/// Asserts that all of `words` stand on stderr.
 #[track_caller]
 pub(crate) fn check_words(said: &Said, words: &[&str]) {
     for word in words {

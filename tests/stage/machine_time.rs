@@ -1,9 +1,9 @@
 //! Tests that need this machine's time, and whether they got it.
 //!
-//! A thread that could run and has no processor waits. Linux counts these waits for each thread in
-//! `/proc/<process>/task/<thread>/schedstat`. A [`WaitWatch`] measures the longest wait of the threads
-//! and processes of one test. It also watches the worker threads of the kernel, which move the
-//! bytes of pseudo-terminals: a thread that needs these bytes sleeps meanwhile.
+//! Linux counts the waits of each runnable thread for a processor in
+//! `/proc/<process>/task/<thread>/schedstat`. A [`WaitWatch`] measures the longest wait of the
+//! threads and processes of one test, and of the kernel's workers, which move the bytes of
+//! pseudo-terminals: a thread that needs these bytes sleeps meanwhile.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
 use std::collections::BTreeMap;
@@ -20,16 +20,13 @@ use std::time::{Duration, Instant};
 /// Wait from which on a test had no time: half of the 20 ms after which boards drop their forces.
 const TOO_LONG: Duration = Duration::from_millis(10);
 
-/// Time between two looks at the threads.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// Looks after which the kernel may have other workers.
 const LOOKS_PER_SCAN: u32 = 50;
 
 /// Longest time until the kernel counts what a running thread has run.
 const TICK: Duration = Duration::from_millis(10);
 
-/// Attempts before a test is skipped.
 const ATTEMPTS: u32 = 3;
 
 /// Prints a line whether the test passes or fails.
@@ -75,11 +72,9 @@ pub(crate) fn with_time(what: &str, test: impl Fn(&WaitWatch)) {
     });
 }
 
-/// Threads, by their folder in `/proc`.
 #[derive(Clone, Debug)]
 pub(crate) enum Task {
     Thread(PathBuf),
-    /// All threads of a process.
     Process(PathBuf),
 }
 
@@ -96,7 +91,6 @@ impl Task {
     fn threads(&self) -> Vec<PathBuf> {
         match self {
             Self::Thread(thread) => vec![thread.clone()],
-            // A process that has ended has no threads.
             Self::Process(process) => {
                 let threads = fs::read_dir(process).into_iter().flatten().flatten();
                 threads.map(|thread| thread.path()).collect()
@@ -113,7 +107,6 @@ pub(crate) struct WaitWatch {
 }
 
 impl WaitWatch {
-    /// Watches no thread yet.
     fn start() -> Self {
         let (tasks, added) = channel();
         Self { tasks, thread: std::thread::spawn(move || longest_wait(&added)) }
@@ -134,14 +127,12 @@ impl WaitWatch {
         self.guard(command.spawn()?).into_child().wait_with_output()
     }
 
-    /// Returns the longest wait.
     fn stop(self) -> Duration {
         drop(self.tasks);
         self.thread.join().unwrap_or(Duration::MAX)
     }
 }
 
-/// A process that is killed when it is dropped.
 #[derive(Debug)]
 pub(crate) struct Guarded(Option<Child>);
 
@@ -212,7 +203,6 @@ fn receive_until(due: Instant, added: &Receiver<Task>, tasks: &mut Vec<Task>) ->
     }
 }
 
-/// Returns the kernel's workers that run on any processor.
 fn kernel_workers() -> Vec<PathBuf> {
     let is_worker = |process: &PathBuf| {
         fs::read(process.join("comm")).is_ok_and(|name| name.starts_with(b"kworker/u"))
@@ -221,7 +211,6 @@ fn kernel_workers() -> Vec<PathBuf> {
     processes.map(|process| process.path()).filter(is_worker).collect()
 }
 
-/// A thread at one look.
 #[derive(Clone, Copy, Debug)]
 struct ThreadLook {
     at: Instant,

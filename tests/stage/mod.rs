@@ -25,19 +25,18 @@ pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
     try_scene(name, overrides).expect("a good scene")
 }
 
-/// Returns a scene of ours with overrides, or why it is refused.
+/// Returns a scene of ours with overrides, or the refusal.
 pub fn try_scene(name: &str, overrides: &[(&str, &str)]) -> Result<Scene, String> {
     let overrides: Vec<_> =
         overrides.iter().map(|(name, value)| (String::from(*name), String::from(*value))).collect();
     Scene::load(&scene::Library::default(), name, &overrides).map_err(|wrong| wrong.to_string())
 }
 
-/// The voices of `scene`, each with its key.
 pub fn voices(scene: &Scene) -> Vec<(usize, BoxedVoice)> {
     audited(scene, &std::array::from_fn(|_key| Arc::default()))
 }
 
-/// The same with energy audits that can be read.
+/// Like [`voices`], with readable energy audits.
 pub fn audited(scene: &Scene, audits: &[Arc<AuditCell>; KEYS]) -> Vec<(usize, BoxedVoice)> {
     let assembler = VoiceBuilder::new(scene).expect("a rate that can be kept");
     let voice = |(key, voice)| {
@@ -47,30 +46,27 @@ pub fn audited(scene: &Scene, audits: &[Arc<AuditCell>; KEYS]) -> Vec<(usize, Bo
     assembler.keys().map(voice).collect()
 }
 
-/// A keybed at rest for `scene`.
 pub fn keybed(scene: &Scene) -> SimulatedKeybed {
     let period = 1.0 / f64::from(scene.tick_hz);
     SimulatedKeybed::new(period, scene.rig.parameters()).expect("a possible period")
 }
 
-/// Lanes with their threads, if there is more than one.
 pub fn lanes(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, VoiceSwaps) {
     let n_lanes = NonZeroUsize::new(n_lanes).expect("a lane at least");
     ThreadedLanes::start(voices, n_lanes, &ThreadPlan::default()).expect("threads")
 }
 
-/// The key with this number.
 pub fn key(number: usize) -> KeyIndex {
     u8::try_from(number).ok().and_then(KeyIndex::new).expect("one of the 88 keys")
 }
 
-/// A stroke from `start` to `release` (s) at `speed` (m/s).
+/// Returns a stroke from `start` to `release` (s) at `speed` (m/s).
 pub fn stroke(start: f64, release: f64, touch: Touch, speed: f64) -> Gesture {
     Gesture { start, release, touch, speed, ..Gesture::USUAL }
 }
 
-/// Plays every key about twice a second until `end` (s): pressed and struck, soft and loud,
-/// no two neighbours at once.
+/// Plays every key about twice a second until `end` (s): pressed and struck, soft and loud, no two
+/// neighbours at once.
 pub fn play_all(keybed: &mut SimulatedKeybed, end: f64) {
     for number in 0..KEYS {
         keybed.play(key(number), strokes(number, end));
@@ -91,7 +87,6 @@ fn strokes(number: usize, end: f64) -> Vec<Gesture> {
     strokes.take_while(|gesture| gesture.start < end).collect()
 }
 
-/// Nobody watches.
 #[derive(Debug)]
 pub struct Nobody;
 
@@ -99,7 +94,6 @@ impl TickObserver for Nobody {
     fn observe(&mut self, _seen: &FinishedTick<'_>) {}
 }
 
-/// Everything that a tick needs.
 #[derive(Debug)]
 pub struct Stage<B, O> {
     pub scheduler: Box<Scheduler>,
@@ -110,17 +104,15 @@ pub struct Stage<B, O> {
 }
 
 impl<B: KeyBus> Stage<B, Nobody> {
-    /// The voices of `scene` on `bus`, on one lane, with nobody watching.
+    /// Builds the voices of `scene` on `bus`, on one lane, without an observer.
     pub fn new(scene: &Scene, bus: B) -> Self {
         Self::on_lanes(scene, bus, 1)
     }
 
-    /// The same on `n_lanes`.
     pub fn on_lanes(scene: &Scene, bus: B, n_lanes: usize) -> Self {
         Self::playing(scene, voices(scene), bus, n_lanes)
     }
 
-    /// The same with other `voices`.
     pub fn playing(
         scene: &Scene,
         voices: Vec<(usize, BoxedVoice)>,
@@ -133,12 +125,12 @@ impl<B: KeyBus> Stage<B, Nobody> {
         stage
     }
 
-    /// With voices of any kind, whose forces are sent however fast they change.
+    /// Like `playing`, with forces that are sent however fast they change.
     pub fn of(voices: Vec<(usize, BoxedVoice)>, tick_hz: u32, bus: B, n_lanes: usize) -> Self {
         Self::limited(voices, (tick_hz, f64::INFINITY), bus, n_lanes)
     }
 
-    /// The same, with a slew limit (N/s).
+    /// Like `of`, with a slew limit (N/s).
     fn limited(
         voices: Vec<(usize, BoxedVoice)>,
         (tick_hz, slew): (u32, f64),
@@ -151,7 +143,6 @@ impl<B: KeyBus> Stage<B, Nobody> {
         Self { scheduler, bus, lanes, swaps, observer: Nobody }
     }
 
-    /// With somebody who watches.
     pub fn watched_by<O>(self, observer: O) -> Stage<B, O> {
         let Self { scheduler, bus, lanes, swaps, observer: Nobody } = self;
         Stage { scheduler, bus, lanes, swaps, observer }
@@ -174,7 +165,7 @@ impl<B: KeyBus, O: TickObserver> Stage<B, O> {
         scheduler.poll(now, bus, lanes, observer).expect("due")
     }
 
-    /// The forces sent last (N).
+    /// Returns the forces sent last (N).
     pub fn forces(&self) -> &[f64; KEYS] {
         self.scheduler.forces()
     }
