@@ -1,7 +1,6 @@
-//! The wire format for a full keyboard: what one tick costs each side.
-//!
-//! The host decodes eight boards' samples from their byte streams and encodes eight frames of
-//! forces; the boards, all together, do the opposite. Eleven keys a board.
+//! Cost of the wire format for a full keyboard in one tick. The host decodes eight boards' samples
+//! from their byte streams and encodes eight frames of forces; the boards do the opposite. Eleven
+//! keys a board.
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
 
 #[path = "setting/mod.rs"]
@@ -18,10 +17,8 @@ use firmware_protocol::quantity::{Counts, Millinewtons};
 use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
 
-/// How samples are packed unless a scene says otherwise.
 const PACKING: SamplePacking = SamplePacking::Position24;
 
-/// A frame as it travels, and its length.
 type Wire = ([u8; MAX_WIRE], usize);
 
 fn main() {

@@ -53,10 +53,8 @@ fn main() {
     criterion.final_summary();
 }
 
-/// Model B as the program has it.
 const NAME: &str = "key-hammer-springs";
 
-/// Model B of the middle key.
 fn model() -> SmallModel {
     let model: Arc<LoadedModel> = Library::default().find(NAME, "".as_ref()).expect("model B");
     let preset = model.presets.iter().find(|preset| preset.name == "playable");
@@ -64,7 +62,6 @@ fn model() -> SmallModel {
     model.small().expect("a small model").with_values(&values)
 }
 
-/// A model at rest.
 fn at_rest<M: Described, T: Stepper>(model: M, stepper: T) -> Simulator<M, T> {
     let (mode, state) = model.at_rest(&Motion::default());
     simulator(model, stepper, (mode, state))
@@ -79,7 +76,6 @@ fn simulator<M: Model + Resets, T: Stepper>(
     Simulator::new(model, stepper, limits, mode, state)
 }
 
-/// A tick with guards and without an event, the key swinging slowly, by each method.
 fn quiet<T: Stepper>(criterion: &mut Criterion, stepper: T) {
     tick(criterion, T::NAME, at_rest(model(), stepper));
 }
@@ -101,7 +97,6 @@ where
     let mut next = || {
         let done = simulator.advance(H, &signals[tick % TICKS], &mut pode::Silent);
         tick += 1;
-        // What a key takes from it.
         (done.mean_readout, done.work.events, done.work.pieces)
     };
     for _ in 0..2 * TICKS {
@@ -112,7 +107,6 @@ where
     criterion.bench_function(&name, |bencher| bencher.iter(&mut next));
 }
 
-/// A tick in which the hammer meets the string, and one in which it lands on the key.
 fn eventful(criterion: &mut Criterion) {
     for guard in ["string", "land"] {
         let (before, signal) = just_before(guard);
@@ -127,7 +121,6 @@ fn eventful(criterion: &mut Criterion) {
     }
 }
 
-/// Remembers the guards that fire.
 #[derive(Default)]
 struct Fired(Vec<&'static str>);
 
@@ -137,7 +130,7 @@ impl<M: Model> Watch<M> for Fired {
     }
 }
 
-/// The first tick of a stroke whose only event is `guard`: what was before, and its input.
+/// Returns state and input before the first tick of a stroke whose only event is `guard`.
 fn just_before(guard: &str) -> (Simulator<SmallModel, Rk4>, Cubic) {
     let mut simulator = at_rest(model(), Rk4);
     for tick in 0..1000 {
@@ -151,7 +144,7 @@ fn just_before(guard: &str) -> (Simulator<SmallModel, Rk4>, Cubic) {
     unreachable!("no tick of a stroke has `{guard}` for its only event")
 }
 
-/// The key from its rest to its bottom in 40 ms, over the tick that begins at `t` (s).
+/// Returns the key's motion from rest to bottom in 40 ms, over the tick that begins at `t` (s).
 fn pressed(t: f64) -> Cubic {
     const DIP: f64 = 10e-3;
     let w = 0.5 * TAU / 40e-3;
@@ -177,7 +170,6 @@ const FAMILIES: [(&str, Guard); 7] = [
     ("exponential", |d| 1.0 - (30.0 * d).exp()),
 ];
 
-/// The root finder without a seed, to 2⁻²⁰; the root lies at an arbitrary place.
 fn roots(criterion: &mut Criterion) {
     for (name, guard) in FAMILIES {
         let guard = |tau: f64| guard(tau - black_box(0.618_034));

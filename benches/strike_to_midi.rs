@@ -1,4 +1,4 @@
-//! From strikes in the ring to MIDI messages: what the MIDI thread does with a chord of ten.
+//! Strikes in the ring to MIDI messages: the MIDI thread's work for a chord of ten.
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
 
 #[path = "setting/mod.rs"]
@@ -10,10 +10,8 @@ use criterion::BatchSize;
 use host::midi_thread::MidiDispatcher;
 use midi::{Message, MidiSendError, NoteEvent, NoteEventKind, Output, VelocityCurve};
 
-/// Keys of the chord.
 const KEYS: [u8; 10] = [3, 15, 27, 31, 34, 39, 43, 46, 51, 63];
 
-/// A port that takes everything.
 struct Port;
 
 impl Output for Port {
@@ -35,7 +33,6 @@ fn main() {
     criterion.final_summary();
 }
 
-/// A dispatcher in whose ring the chord waits, the highest key first.
 fn waiting() -> MidiDispatcher {
     let (mut ring, events) = rtrb::RingBuffer::new(KEYS.len());
     for (order, key) in KEYS.into_iter().rev().enumerate() {

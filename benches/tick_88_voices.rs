@@ -1,13 +1,12 @@
 //! One whole tick of 88 keys: receive, voices, safety, send, publish.
 //!
-//! The keys play the scene `default`, a mechanism of five bodies each. Cases with `springs` in their
-//! names play the scene `springs`, model B at a key's size.
+//! The keys play the scene `default`, a mechanism of five bodies each, or in cases with `springs`
+//! in their names the scene `springs`, model B at a key's size. The bus is memory, so that the
+//! simulated keys are not measured.
 //!
-//! The bus is memory, so that the host's own work is measured and not the simulated keys.
-//!
-//! | case | what the keys do |
+//! | case | keys |
 //! |---|---|
-//! | idle | all have come to rest |
+//! | idle | all at rest |
 //! | active | all move, so all equations run: steps and guards, no event |
 //! | event | all 88 hammers are in free flight and meet their strings within this one tick |
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
@@ -39,7 +38,7 @@ use stage::{Stage, scene, stroke};
 
 const HZ: u32 = 1000;
 
-/// Slew limit of a scene that says nothing else (N/s).
+/// Default slew limit of a scene (N/s).
 const SLEW: f64 = 20e3;
 
 fn main() {
@@ -51,7 +50,6 @@ fn main() {
     criterion.final_summary();
 }
 
-/// Keys whose positions are read from tables, over and over.
 struct Tables {
     positions: Vec<[f64; TICKS]>,
     next: usize,
@@ -83,21 +81,19 @@ impl KeyBus for Held {
     }
 }
 
-/// What a host publishes to, and the other end of its ring.
 struct Published {
     publisher: TickPublisher,
     ring: rtrb::Consumer<midi::NoteEvent>,
     tap: Option<(TickRecorder, TickRecorderRings)>,
 }
 
-/// As while a recording is made.
+/// Keys of a recording.
 const ALL_KEYS: u128 = (1 << KEYS) - 1;
 
-/// As while a window is looked at that shows a chord.
+/// Keys of a window that shows a chord.
 const FOUR_KEYS: u128 = 1 << 27 | 1 << 39 | 1 << 43 | 1 << 46;
 
 impl Published {
-    /// With telemetry that follows `keys`.
     fn new(keys: u128) -> Self {
         let (producer, ring) = rtrb::RingBuffer::new(4096);
         let bell = Arc::new(WakeFd::new().expect("a descriptor"));
@@ -108,7 +104,6 @@ impl Published {
         Self { publisher, ring, tap: Some((tap, tapped)) }
     }
 
-    /// Without telemetry, to see what that costs.
     fn untapped() -> Self {
         Self { tap: None, ..Self::new(0) }
     }
@@ -123,7 +118,7 @@ impl TickObserver for Published {
         self.publisher.observe(seen);
         let Some((tap, tapped)) = &mut self.tap else { return };
         tap.observe(seen);
-        // As the pump does on its own thread, or the rings would be full and nothing pushed.
+        // As the telemetry thread does, or the rings would be full and nothing pushed.
         if let Ok(rows) = tapped.rows.read_chunk(tapped.rows.slots()) {
             rows.commit_all();
         }
@@ -133,7 +128,6 @@ impl TickObserver for Published {
     }
 }
 
-/// Ticks of the whole host side, voices on one lane as a session has them.
 fn ticks(
     criterion: &mut Criterion,
     (of, name): (&str, &str),
@@ -184,7 +178,6 @@ fn springs(criterion: &mut Criterion) {
     event(criterion, "springs", "tick_88_voices/springs/event");
 }
 
-/// A voice that can be put back to where it was.
 struct Copied(Box<dyn RehearsableVoice>);
 
 impl Clone for Copied {
@@ -207,7 +200,6 @@ impl Voice for Copied {
     }
 }
 
-/// All keys are copies of the middle one, played alike, just before a tick with an event.
 fn event(criterion: &mut Criterion, of: &str, name: &str) {
     let (slot, tick, position) = just_before_a_strike(of);
     let slots: Vec<_> = (0..KEYS).map(|_| slot.clone()).collect();
@@ -227,7 +219,6 @@ fn event(criterion: &mut Criterion, of: &str, name: &str) {
     });
 }
 
-/// A lane of slots that all believe to be the same key.
 struct Copies(Vec<Slot<Copied>>);
 
 impl Lanes for Copies {
@@ -240,7 +231,6 @@ impl Lanes for Copies {
     }
 }
 
-/// A scheduler whose next tick is `tick`.
 fn scheduler_at(tick: u64) -> Box<Scheduler> {
     let period = Period::from_hz(HZ).expect("a rate that can be kept");
     let mut scheduler = engine::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), SLEW);
@@ -249,7 +239,7 @@ fn scheduler_at(tick: u64) -> Box<Scheduler> {
     scheduler
 }
 
-/// The middle key, the tick in which its hammer's flight ends, and where the key is then (m).
+/// Returns the middle key, the tick of its hammer's strike, and the key's position then (m).
 fn just_before_a_strike(of: &str) -> (Slot<Copied>, u64, f64) {
     let scene = scene(of, &[]);
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");

@@ -1,8 +1,8 @@
-//! What a tick of 88 active keys spends on each part (model B, playable, RK4).
+//! Share of each part in a tick of 88 active keys (model B, playable, RK4).
 //!
-//! Each case does what the one before it does and one thing more, so the difference is what that
-//! thing costs. `tick_88_voices` goes on from there: `active_unwatched` adds lanes and safety,
-//! `active_untapped` the counters, `active` the telemetry.
+//! Each case adds one thing to the case before, so the difference is its cost. `tick_88_voices`
+//! continues: `active_unwatched` adds lanes and safety, `active_untapped` the counters, `active`
+//! the telemetry.
 //!
 //! | case | adds |
 //! |---|---|
@@ -52,7 +52,6 @@ fn main() {
     criterion.final_summary();
 }
 
-/// What a voice is made of, and the positions that its key goes through.
 struct Key {
     input: InputPath,
     simulator: Simulator<SmallModel, Rk4>,
@@ -80,12 +79,10 @@ impl Key {
     }
 }
 
-/// A slow swing, of which each key is at another place.
 fn swing_of(key: usize) -> [f64; TICKS] {
     swing(key as f64 / KEYS as f64, RigParameters::default().quantum)
 }
 
-/// A tick of all keys: the estimate, and then `rest` with the input over the tick.
 fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &Cubic)) {
     let mut keys: Vec<_> = (0..88).map(Key::new).collect();
     let (mut tick, mut place) = (0, 0);
@@ -101,7 +98,6 @@ fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &C
     criterion.bench_function(&format!("tick_parts/{name}"), |bencher| bencher.iter(&mut next));
 }
 
-/// A tick of whole voices, with an observer of what they make or a controller.
 fn voices(criterion: &mut Criterion, name: &str, passivity: PassivityMode) {
     let set = [("render.passivity".to_owned(), passivity.name().to_owned())];
     let scene = Scene::load(&Library::default(), "springs", &set).expect("a scene of ours");

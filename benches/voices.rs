@@ -1,6 +1,6 @@
 //! One voice for one tick: estimate, equations, force limits, energy audit, of each model.
 //!
-//! The key swings slowly, so that hammers stay on their keys; what bounces does bounce.
+//! The key swings slowly, so that hammers stay on their keys; bouncing models bounce.
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
 
 #[path = "setting/mod.rs"]
@@ -16,7 +16,6 @@ use scheduler::motion::KeySample;
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
 
-/// C4, the key that stands for the others.
 const MIDDLE: usize = 39;
 
 fn main() {
@@ -31,7 +30,7 @@ fn main() {
 }
 
 fn voice(instrument: &str) -> AnyVoice {
-    // As a recording, which is not asked whether its loop is stable: the time is the question.
+    // As a recording, which skips the check of stability: only the time matters.
     let text = format!("[[keys]]\nrange = \"A0..C8\"\ninstrument = \"{instrument}\"\n");
     let scene =
         Scene::from_text(&scene::Library::default(), instrument, text).expect("a good scene");

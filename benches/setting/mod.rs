@@ -1,4 +1,4 @@
-//! What all benches share: short measurements, and on which machine.
+//! Common parts of all benches: short measurements, and the machine.
 #![allow(dead_code, unreachable_pub, reason = "each bench uses its own part")]
 
 use std::f64::consts::TAU;
@@ -8,9 +8,7 @@ use std::time::Duration;
 
 use criterion::Criterion;
 
-/// Short measurements, so that all benches together take a minute or two.
-///
-/// Says which machine and kernel the figures are from.
+/// Short measurements: all benches together take a minute or two; prints machine and kernel.
 #[expect(clippy::print_stderr, reason = "a bench reports to people")]
 pub fn criterion() -> Criterion {
     eprintln!("machine: {}", machine());
@@ -24,10 +22,8 @@ pub fn criterion() -> Criterion {
 }
 
 /// Measures a loop that no change of ours makes slower: `cargo xtask bench` keeps the others as
-/// multiples of it, so that machines can differ.
-///
-/// Arithmetic that waits for its results, divisions, and reads that depend on what was read, in
-/// about the mixture of a voice.
+/// multiples of it, so that machines can differ. It mixes dependent arithmetic, divisions and
+/// dependent reads about like a voice.
 fn calibrate(criterion: &mut Criterion) {
     let table: Vec<f64> = (0..4096).map(|n| 1.0 + f64::from(n * 2654 % 4096) / 4096.0).collect();
     criterion.bench_function("calibration", |bencher| {
@@ -43,7 +39,6 @@ fn calibrate(criterion: &mut Criterion) {
     });
 }
 
-/// The processor's name, how many of them, and the kernel.
 fn machine() -> String {
     let processors = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let names: Vec<_> = processors
@@ -56,13 +51,11 @@ fn machine() -> String {
     format!("{} x {name}, kernel {}", names.len(), kernel.trim())
 }
 
-/// Ticks of a motion, after which it repeats.
+/// Period of a motion in ticks.
 pub const TICKS: usize = 512;
 
 /// Key positions (m) of one slow swing between 1 and 4 mm, `phase` of it ahead, in steps of
-/// `quantum` (m).
-///
-/// So slow that a hammer stays on its key: nothing happens but equations.
+/// `quantum` (m): so slow that a hammer stays on its key and no event occurs.
 pub fn swing(phase: f64, quantum: f64) -> [f64; TICKS] {
     std::array::from_fn(|tick| {
         let angle = TAU * (tick as f64 / TICKS as f64 + phase);
