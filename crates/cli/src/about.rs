@@ -43,7 +43,7 @@ pub struct ReportHeader {
 }
 
 impl ReportHeader {
-    pub fn new() -> Self {
+    pub fn of_command() -> Self {
         start();
         let started = STARTED.get().copied().map(utc).unwrap_or_default();
         Self { format: FORMAT, version: version(), started }
@@ -67,7 +67,7 @@ struct HeadedReport<'a, T> {
 
 /// Prints a report, which must be a structure with fields, as JSON with its header.
 pub fn print_report(report: &impl Serialize, out: &mut dyn Write) -> Result<(), Failure> {
-    print_json(&HeadedReport { header: ReportHeader::new(), report }, out)
+    print_json(&HeadedReport { header: ReportHeader::of_command(), report }, out)
 }
 
 /// Prints `value` as JSON without a header, for lists and states.

@@ -226,7 +226,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
 
 fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     use simulate::SimulateError;
-    let header = about::ReportHeader::new().fields();
+    let header = about::ReportHeader::of_command().fields();
     let args = &SimulateArgs { header, ..args.clone() };
     simulate::run(args, out, &mut tell).map_err(|error| {
         let text = error.to_string();

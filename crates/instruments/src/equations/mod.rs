@@ -1,4 +1,4 @@
-//! Models made of functions by number: what emitted Rust and native code both fill in.
+//! Models made of functions by number: what native code and the interpreter both fill in.
 //!
 //! [`table`] is what a model is apart from its arithmetic, and [`table::Functions`] that arithmetic;
 //! [`functions`] has what an expression can apply beyond the elementary functions of `pode`.
@@ -8,6 +8,11 @@
 //! # What is not here
 //! Where the functions come from. Jacobians of friction: a mode that sticks is resolved by its
 //! structure's rates.
+
+#![expect(
+    clippy::same_name_method,
+    reason = "an instrument passes on what its equations are asked"
+)]
 
 mod about;
 mod balance;

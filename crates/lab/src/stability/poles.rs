@@ -10,9 +10,10 @@ use nalgebra_of_lm::{DMatrix, Schur};
 const MOST_STEPS: usize = 10_000;
 
 /// Returns the largest modulus of the poles of `wall` on a key of `mass` (kg) and `damping`
-/// (N s/m); `None` if they cannot be found. Below 1 a motion without steps, felts or friction
-/// decays. The state is position and velocity at the tick, the position before, and the forces
-/// that are still on their way.
+/// (N s/m); `None` if they cannot be found.
+///
+/// Below 1 a motion without steps, felts or friction decays. The state is position and velocity at the
+/// tick, the position before, and the forces that are still on their way.
 pub fn spectral_radius(wall: &SampledWall, mass: f64, damping: f64) -> Option<f64> {
     let tick = TickMap::new(wall, mass, damping);
     let size = 3 + tick.forces();

@@ -12,7 +12,7 @@ use super::guard_numbers::GuardNumbers;
 use super::modes::mode;
 use super::{AssemblyError, Program, contacts, drawing, names};
 use crate::kane::graph::{Graph, Place};
-use crate::kane::mechanism::Mechanism;
+use crate::kane::mechanism::{Mechanism, StringDamper};
 use crate::kane::system::EquationSystem;
 
 /// Makes the program of a system.
@@ -66,18 +66,23 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
         contacts: contact_tables,
         outputs,
         rest: values.rest,
-        sound: SoundTable {
-            damper: mechanism.instrument.sound.map(|it| DamperTable {
-                lift: it.lift,
-                fall: it.fall,
-                softest_tone: it.softest_tone,
-            }),
-            midi: mechanism.instrument.midi,
-        },
+        sound: sound(&mechanism),
         drawing,
     };
     let FunctionList { functions, names, .. } = functions;
     Ok(Program { table, functions, names, work: graph.work() })
+}
+
+fn sound(mechanism: &Mechanism) -> SoundTable {
+    let damper = |it: &StringDamper| DamperTable {
+        lift: it.lift,
+        fall: it.fall,
+        softest_tone: it.softest_tone,
+    };
+    SoundTable {
+        damper: mechanism.instrument.sound.as_ref().map(damper),
+        midi: mechanism.instrument.midi,
+    }
 }
 
 /// The function from parameters to what follows from them alone, and how many numbers both are.
