@@ -9,8 +9,8 @@ use figures::digits::rounded;
 use haptics::EstimatorName;
 use instruments::ModelEntry;
 
-use super::ImpedanceArgs;
 use super::recording::read_stroke;
+use super::{ImpedanceArgs, VoiceLoopArgs};
 use crate::command::stability::ask::{
     PERIOD, estimators, key_named, set_parameters, set_quantities, voices,
 };
@@ -129,7 +129,7 @@ type Asked = Option<(String, ImpedanceSubject)>;
 
 fn recorded(args: &ImpedanceArgs, mistakes: &mut Vec<String>) -> Asked {
     let path = args.recording.as_ref()?;
-    let delay = args.delay.as_deref().map_or(Ok(0.0), |it| quantity(it, "s"));
+    let delay = args.voice_loop.delay.as_deref().map_or(Ok(0.0), |it| quantity(it, "s"));
     let delay = delay.and_then(|it| {
         let wrong = || format!("{it} is not from 0 to 1 s");
         if (0.0..=1.0).contains(&it) { Ok(it) } else { Err(wrong()) }
@@ -154,7 +154,7 @@ fn pressed(args: &ImpedanceArgs, mistakes: &mut Vec<String>) -> Asked {
     let (name, voices, mut parameters) = found?;
     let rig = voices.rig().map_err(|wrong| mistakes.push(wrong)).ok()?;
     let mut values = LoopValues::of_rig(&rig, PERIOD, haptics::Kalman::KEY_JERK_DENSITY);
-    loop_values(args, &mut values, mistakes);
+    loop_values(&args.voice_loop, &mut values, mistakes);
     let known = &voices.model.parameters;
     set_parameters(known, &args.set, &mut parameters, mistakes);
     check_modes(&voices.model, &args.mode, mistakes);
@@ -176,7 +176,7 @@ fn pressed(args: &ImpedanceArgs, mistakes: &mut Vec<String>) -> Asked {
     Some((name, ImpedanceSubject::Instrument(Box::new(asked))))
 }
 
-fn loop_values(args: &ImpedanceArgs, values: &mut LoopValues, mistakes: &mut Vec<String>) {
+fn loop_values(args: &VoiceLoopArgs, values: &mut LoopValues, mistakes: &mut Vec<String>) {
     let given = [
         (LoopQuantity::Stiffness, &args.stiffness),
         (LoopQuantity::Damping, &args.damping),

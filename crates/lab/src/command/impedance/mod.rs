@@ -63,6 +63,22 @@ pub struct ImpedanceArgs {
     /// Largest amplitude by which a voice is shaken (m), at most 0.5 m/s²; 20 µm if not given.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub amplitude: Option<String>,
+    #[command(flatten)]
+    pub voice_loop: VoiceLoopArgs,
+    /// Values of the model's parameters.
+    #[arg(long, value_name = "NAME=VALUE", num_args = 1..)]
+    pub set: Vec<String>,
+    /// Folder for the report: index.html, impedance.csv and impedance.svg.
+    #[arg(long, value_name = "DIR", required_unless_present = "json")]
+    pub out: Option<PathBuf>,
+    /// Prints the curves as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The loop of a voice.
+#[derive(Clone, Debug, Args)]
+pub struct VoiceLoopArgs {
     /// Period of a voice's loop (s); 1 ms if not given.
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub period: Option<String>,
@@ -81,15 +97,6 @@ pub struct ImpedanceArgs {
     /// Damping of that coupling (N s/m).
     #[arg(long, value_name = "N*s/m", allow_hyphen_values = true)]
     pub damping: Option<String>,
-    /// Values of the model's parameters.
-    #[arg(long, value_name = "NAME=VALUE", num_args = 1..)]
-    pub set: Vec<String>,
-    /// Folder for the report: index.html, impedance.csv and impedance.svg.
-    #[arg(long, value_name = "DIR", required_unless_present = "json")]
-    pub out: Option<PathBuf>,
-    /// Prints the curves as JSON.
-    #[arg(long)]
-    pub json: bool,
 }
 
 pub(super) fn run(args: &ImpedanceArgs, out: &mut dyn Write) -> Result<(), Failure> {

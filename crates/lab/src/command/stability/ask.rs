@@ -12,9 +12,9 @@ use instruments::{ModelEntry, Parameter};
 use keyboard::KeyIndex;
 use scene::{Instrument, Library};
 
-use super::StabilityArgs;
 use super::quantities::{quantity, range};
 use super::voices::InstrumentVoices;
+use super::{ClosedLoopArgs, StabilityArgs};
 
 const WALL: &str = "wall";
 
@@ -52,7 +52,7 @@ impl StabilityQuestion {
             LoopValues::ideal(&rig, PERIOD, jerk)
         };
         let model: Option<&ModelEntry> = voices.as_ref().map(|it| &**it.model);
-        set_values(args, &mut values, &mut mistakes);
+        set_values(&args.closed_loop, &mut values, &mut mistakes);
         let known = model.map_or(&[][..], |it| &it.parameters);
         let chosen = set_parameters(known, &args.set, &mut parameters, &mut mistakes);
         let usual = [EstimatorName::BackwardDifference, EstimatorName::Kalman];
@@ -129,7 +129,7 @@ pub(crate) fn key_named(name: &str) -> Result<KeyIndex, String> {
     })
 }
 
-fn set_values(args: &StabilityArgs, values: &mut LoopValues, mistakes: &mut Vec<String>) {
+fn set_values(args: &ClosedLoopArgs, values: &mut LoopValues, mistakes: &mut Vec<String>) {
     let given = [
         (LoopQuantity::Stiffness, &args.stiffness),
         (LoopQuantity::Damping, &args.damping),

@@ -58,6 +58,25 @@ pub struct StabilityArgs {
     /// How the velocity is found: backward-difference or kalman, a map for each.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub estimator: Vec<String>,
+    #[command(flatten)]
+    pub closed_loop: ClosedLoopArgs,
+    /// Values of the model's parameters.
+    #[arg(long, value_name = "NAME=VALUE", num_args = 1..)]
+    pub set: Vec<String>,
+    /// Cells along each axis.
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u16).range(2..=400))]
+    pub cells: u16,
+    /// Folder for the report: index.html, map.csv, boundary.csv, and a picture for each map.
+    #[arg(long, value_name = "DIR", required_unless_present = "json")]
+    pub out: Option<PathBuf>,
+    /// Prints the boundaries as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The loop and the key that are tried, where they are no axis.
+#[derive(Clone, Debug, Args)]
+pub struct ClosedLoopArgs {
     /// Stiffness K of the wall, or of the coupling of an instrument (N/m).
     #[arg(long, value_name = "N/m", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
@@ -91,18 +110,6 @@ pub struct StabilityArgs {
     /// Finger that presses the key: none, limp, ordinary or stiff.
     #[arg(long, value_name = "NAME")]
     pub finger: Option<String>,
-    /// Values of the model's parameters.
-    #[arg(long, value_name = "NAME=VALUE", num_args = 1..)]
-    pub set: Vec<String>,
-    /// Cells along each axis.
-    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u16).range(2..=400))]
-    pub cells: u16,
-    /// Folder for the report: index.html, map.csv, boundary.csv, and a picture for each map.
-    #[arg(long, value_name = "DIR", required_unless_present = "json")]
-    pub out: Option<PathBuf>,
-    /// Prints the boundaries as JSON.
-    #[arg(long)]
-    pub json: bool,
 }
 
 pub(super) fn run(args: &StabilityArgs, out: &mut dyn Write) -> Result<(), Failure> {
