@@ -1,13 +1,13 @@
-//! From the command line to a plan.
+//! The command line of the benchmark.
 
 use std::path::PathBuf;
 
-/// What is asked for.
+/// Parsed command line.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Arguments {
-    /// Fewer rounds and shorter repeats: to see that everything runs.
+    /// `true` if there are fewer rounds and shorter repeats: a check that everything runs.
     pub(crate) quick: bool,
-    /// Where the results go.
+    /// Folder of the results.
     pub(crate) out: PathBuf,
     /// A Python with SciPy, heyoka, MuJoCo and Drake.
     pub(crate) python: Option<PathBuf>,
@@ -15,15 +15,12 @@ pub(crate) struct Arguments {
     pub(crate) siconos: Option<PathBuf>,
     /// The compiled program around CVODE.
     pub(crate) cvode: Option<PathBuf>,
-    /// `code: reason` of what cannot be run here.
+    /// `code: reason` of each code that cannot run here.
     pub(crate) skipped: Vec<String>,
 }
 
 impl Arguments {
-    /// Reads what follows the program's name.
-    ///
-    /// # Errors
-    /// Names what is not understood.
+    /// Parses the words after the program's name; the error names the unknown word.
     pub(crate) fn parse(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
         let mut it = Self { out: PathBuf::from("results"), ..Self::default() };
         while let Some(word) = words.next() {

@@ -1,4 +1,4 @@
-//! The problems, with everything that is run on them.
+//! The problems, each with its reference and its entries.
 
 use pode::series::{INPUT_TERMS, add_bell};
 use pode::{Motion, Resets};
@@ -10,11 +10,10 @@ use crate::problem::Problem;
 use crate::problems::{Ball, Block, BlockMode, Cradle};
 use crate::reference::{self, Reference};
 
-/// A problem: what is right, and who tries it.
+/// A problem with its reference and the codes that run on it.
 pub(crate) struct Case {
-    /// Its name in the results.
     pub(crate) name: &'static str,
-    /// What it is, in one line.
+    /// One-line description.
     pub(crate) summary: &'static str,
     /// Its end (s).
     pub(crate) t_end: f64,
@@ -25,7 +24,6 @@ pub(crate) struct Case {
     pub(crate) parameters: String,
 }
 
-/// All problems.
 pub(crate) fn all() -> Result<Vec<Case>, String> {
     Ok(vec![
         model_b(
@@ -45,7 +43,7 @@ pub(crate) fn all() -> Result<Vec<Case>, String> {
     ])
 }
 
-/// A ball dropped from 1 m, restitution 0.8, ten impacts.
+/// Drops a ball from 1 m: restitution 0.8, ten impacts.
 fn ball() -> Case {
     const T_END: f64 = 3.6;
     let problem = Ball { g: 9.81, e: 0.8, height: 1.0 };
@@ -65,8 +63,8 @@ fn ball() -> Case {
 
 /// The stroke of model B: height (rad), time (s) and 1/width (1/s) of each bell.
 ///
-/// Only the position: nothing else of the input enters where b1 is zero, and the peers compute
-/// nothing else. Its series is what the peers with a series of their own make of the same formula.
+/// Only the position: where b1 is zero nothing else of the input enters, and the peers compute
+/// nothing else. Peers with a series of their own derive the same one from the formula.
 #[derive(Clone, Copy)]
 struct Bells([[f64; 3]; 3]);
 
@@ -94,7 +92,6 @@ impl Driven<Motion> for Bells {
     }
 }
 
-/// A case of model B.
 fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case, String> {
     let (problem, t_end, reference) = reference::model_b(file)?;
     let input = Bells(problem.bells);
@@ -105,7 +102,7 @@ fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case
     Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })
 }
 
-/// A cradle with the parameters of its reference.
+/// Builds a cradle with the parameters of its reference.
 fn cradle(name: &'static str, summary: &'static str) -> Result<Case, String> {
     contact::<Cradle, 10, 4, 11>(name, "cradle", summary, |of| {
         let gaps = [of("gap0")?, of("gap1")?, of("gap2")?, of("gap3")?];
@@ -114,7 +111,6 @@ fn cradle(name: &'static str, summary: &'static str) -> Result<Case, String> {
     })
 }
 
-/// The block that rocks, slides and sticks.
 fn block() -> Result<Case, String> {
     let summary = "a block that falls on a floor with friction: it sticks, rocks and slides";
     contact::<Block, 4, 3, 5>("block", "block", summary, |of| {
@@ -127,7 +123,7 @@ fn block() -> Result<Case, String> {
     })
 }
 
-/// A case whose reference is of this package; `read` makes the problem of its parameters.
+/// Builds a case with a reference of this package; `read` builds the problem from its parameters.
 fn contact<P, const N: usize, const G: usize, const M: usize>(
     name: &'static str,
     kind: &str,
@@ -156,7 +152,6 @@ mod tests {
     use pode::series::Expansion;
     use pode::{GuardId, Guarded as _, Model as _};
 
-    /// A small generator: the same states every time.
     fn states() -> impl Iterator<Item = [f64; 4]> {
         let mut seed = 1_u64;
         let mut next = move || {
@@ -192,7 +187,7 @@ mod tests {
         let (problem, _, _) = reference::model_b("model-b-figure6").unwrap();
         let model = KeyHammer::new(&problem);
         let (scale, start) = (0.03, [-0.1, 0.03, 1.5, -1.6]);
-        // A hand that moves as a polynomial, in units of the scale.
+        // A stroke that is a polynomial, in units of the scale.
         let mut input = [Motion::default(); INPUT_TERMS];
         for (input, position) in input.iter_mut().zip([0.05, 0.02, -0.01, 0.004]) {
             input.position = position;
@@ -225,7 +220,7 @@ mod tests {
         }
     }
 
-    /// Asserts that two ways of the same arithmetic agree to rounding.
+    /// Asserts that two evaluations of the same arithmetic agree to rounding.
     #[track_caller]
     fn check<const K: usize>(ours: [f64; K], theirs: [f64; K]) {
         let scale = ours.iter().fold(1.0, |most: f64, it| most.max(it.abs()));

@@ -1,5 +1,5 @@
-//! Programs that are not Rust: they get the case as a file, run all their rows, time
-//! themselves, and print one line of JSON for each.
+//! Programs that are not Rust: each reads the case from a file, runs and times all its rows,
+//! and prints one line of JSON per row.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -14,20 +14,19 @@ use crate::entry::tolerances;
 use crate::judge::{judge, judge_states};
 use crate::row::Row;
 
-/// A program, as it is started.
+/// A program with its command line.
 #[derive(Clone, Debug)]
 pub(crate) struct External {
-    /// The code it runs.
     pub(crate) code: &'static str,
     /// Program and first arguments.
     pub(crate) command: Vec<PathBuf>,
-    /// In how many rounds it runs at most: a run of soft contacts may take seconds.
+    /// Maximum number of rounds: a run of soft contacts may take seconds.
     pub(crate) rounds: u32,
-    /// The problems that fit it; all if there are none.
+    /// Problems that fit the program; empty for all.
     pub(crate) only: &'static [&'static str],
 }
 
-/// One line of what it prints.
+/// One line of the program's output.
 #[derive(Debug, Deserialize)]
 struct Line {
     version: String,
@@ -35,7 +34,7 @@ struct Line {
     setting: String,
     knob: f64,
     note: String,
-    /// `null` of a code that reports no events.
+    /// `null` if the code reports no events.
     events: Option<Vec<(f64, String)>>,
     states: Vec<f64>,
     rhs: Option<u64>,
@@ -44,10 +43,8 @@ struct Line {
 }
 
 impl External {
-    /// Runs all rows of this program on `case`, each for about `budget`.
-    ///
-    /// # Errors
-    /// Says why there are none.
+    /// Runs all rows of this program on `case`, each for about `budget`; the error is the reason
+    /// why there are none.
     pub(crate) fn run(
         &self,
         case: &Case,
@@ -65,7 +62,7 @@ impl External {
             return Err("no program".to_owned());
         };
         let mut command = Command::new(program);
-        // Nothing is left in the source tree.
+        // Python must leave nothing in the source tree.
         command.args(arguments).arg(&file).env("PYTHONDONTWRITEBYTECODE", "1");
         let output = command.output();
         let output = output.map_err(|error| format!("{}: {error}", program.display()))?;
@@ -110,11 +107,10 @@ impl External {
     }
 }
 
-/// The case as `name value` lines.
+/// Returns the case as `name value` lines.
 fn parameters(case: &Case, budget: Duration, last: i32) -> String {
     let mut text = case.parameters.clone();
     let mut line = |name: &str, value: f64| {
-        // Writing to a string cannot fail.
         let _ = writeln!(text, "{name} {value:?}");
     };
     line("budget_ms", budget.as_secs_f64() * 1e3);

@@ -1,23 +1,23 @@
-//! A run against the reference: the sequence first, then two errors that are never mixed.
+//! A run against the reference: first the order of the events, then the errors of events and of
+//! states, each on its own.
 
 use crate::reference::{Expected, Reference};
 
-/// How a run compares with the reference.
+/// Comparison of a run with the reference.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Verdict {
-    /// Whether there were events to judge; else the states are judged alone.
+    /// `true` if the code reports events; otherwise only its states are judged.
     pub(crate) has_events: bool,
     pub(crate) events: usize,
-    /// What went wrong; `None` if all events happened in their order, and no others.
+    /// First difference; `None` if all events happened in their order, and no others.
     pub(crate) failure: Option<String>,
     /// Largest error of an event's time (s).
     pub(crate) event_error: Option<f64>,
-    /// Largest error of the state away from events; each component over its own largest
-    /// magnitude.
+    /// Largest error of the state away from events, each component over its largest magnitude.
     pub(crate) state_error: Option<f64>,
 }
 
-/// Judges a code that reports no events by its `states` alone; each must be there.
+/// Judges a code that reports no events by `states`; a missing state is a failure.
 pub(crate) fn judge_states(
     reference: &Reference,
     states: &[f64],
@@ -30,7 +30,7 @@ pub(crate) fn judge_states(
     Verdict { has_events: false, events: 0, failure, event_error: None, state_error }
 }
 
-/// Judges `events` (time (s), guard) and `states`, or the error with which the run ended.
+/// Judges `events` (time (s), guard) and `states`, or the error that ended the run.
 pub(crate) fn judge(
     reference: &Reference,
     events: &[(f64, &str)],
@@ -53,7 +53,7 @@ pub(crate) fn judge(
     }
 }
 
-/// Where the sequences part, in words.
+/// Describes the first difference of the two sequences.
 fn difference(expected: &[Expected], seen: &[(f64, &str)]) -> Option<String> {
     let same = |(e, s): &(&Expected, &(f64, &str))| e.guard == s.1;
     let first = expected.iter().zip(seen).take_while(same).count();
@@ -70,7 +70,7 @@ fn difference(expected: &[Expected], seen: &[(f64, &str)]) -> Option<String> {
     Some(format!("{n} events for {of}: after {first}, {seen_there} where {expected_there} is due"))
 }
 
-/// `None` unless there is a state for each time of the reference.
+/// Returns `None` unless there is a state for each time of the reference.
 fn state_error(reference: &Reference, states: &[f64]) -> Option<f64> {
     let width = reference.scales.len();
     if width == 0 || states.len() != width * reference.states.len() {

@@ -1,14 +1,14 @@
-//! What a run leaves behind: its events, and the state at the times that are asked for.
+//! The record of one run: its events, and the states at the requested times.
 
-/// More events than any problem here has: a code that goes round in circles stops here.
+/// Number of events that stops a code in a loop: more than any problem here has.
 const MOST_EVENTS: usize = 100;
 
-/// Filled by a run; used again by the next one, so that no timed run allocates here.
+/// Record of a run, reused by the next one, so that no timed run allocates here.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Log {
     /// Time (s) and guard of each event.
     pub(crate) events: Vec<(f64, &'static str)>,
-    /// Times at which the state is wanted (s), rising; empty in timed runs.
+    /// Rising times at which the state is recorded (s); empty in timed runs.
     wanted: Vec<f64>,
     /// The states at the first of these times, one after the other.
     pub(crate) states: Vec<f64>,
@@ -18,12 +18,10 @@ pub(crate) struct Log {
 }
 
 impl Log {
-    /// A log that asks for states at `wanted` (s).
     pub(crate) fn new(wanted: &[f64]) -> Self {
         Self { wanted: wanted.to_vec(), events: Vec::with_capacity(MOST_EVENTS), ..Self::default() }
     }
 
-    /// Empties the log for the next run.
     pub(crate) fn clear(&mut self) {
         self.events.clear();
         self.states.clear();
@@ -31,19 +29,19 @@ impl Log {
         self.evaluations = None;
     }
 
-    /// Writes down an event; an error if there are too many.
+    /// Records an event; fails if there are too many.
     pub(crate) fn event(&mut self, t: f64, guard: &'static str) -> Result<(), String> {
         self.events.push((t, guard));
         let last = || format!("stopped after {MOST_EVENTS} events, the last at {t} s");
         if self.events.len() < MOST_EVENTS { Ok(()) } else { Err(last()) }
     }
 
-    /// Whether any states are wanted: not where runs are timed.
+    /// Returns `true` if states are recorded; timed runs record none.
     pub(crate) fn wants_states(&self) -> bool {
         !self.wanted.is_empty()
     }
 
-    /// Takes the states that are wanted until `t` (s) from the dense output `at`.
+    /// Records the wanted states until `t` (s) from the dense output `at`.
     #[inline]
     pub(crate) fn sample<const N: usize>(&mut self, t: f64, mut at: impl FnMut(f64) -> [f64; N]) {
         // The end of a run may be off by rounding; a dense output must not be asked beyond it.
@@ -54,7 +52,7 @@ impl Log {
         }
     }
 
-    /// Gives back the states taken after `t` (s), for codes that see a step before its event.
+    /// Drops the states after `t` (s), for codes that see a step before its event.
     pub(crate) fn forget_after(&mut self, t: f64) {
         let kept = self.wanted.partition_point(|time| *time <= t).min(self.taken);
         if let Some(width) = self.states.len().checked_div(self.taken) {
@@ -63,7 +61,6 @@ impl Log {
         self.taken = kept;
     }
 
-    /// Adds to the count of evaluations.
     pub(crate) fn count(&mut self, evaluations: u64) {
         self.evaluations = Some(self.evaluations.unwrap_or(0) + evaluations);
     }

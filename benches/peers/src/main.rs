@@ -1,4 +1,4 @@
-//! Other people's ODE solvers and ours, side by side on the same problems. See README.md.
+//! Other ODE solvers and `pode`, side by side on the same problems. See README.md.
 
 mod arguments;
 mod cases;
@@ -54,17 +54,16 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     report::write(out, &cases, &outcome, &probes, plan)
 }
 
-/// A folder for the parameter files.
 fn parameter_folder(out: &Path) -> Result<PathBuf, String> {
     let folder = out.join("parameters");
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     Ok(folder)
 }
 
-/// Where codes for contact are run.
+/// Problems for the codes that compute contacts.
 const CONTACTS: &[&str] = &["cradle-1", "cradle-0.8", "block"];
 
-/// The programs that are not Rust, as far as they are there.
+/// Returns the programs of other languages that the arguments name.
 fn externals(arguments: &Arguments) -> Vec<External> {
     let script = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("external").join(name);
     let mut all = Vec::new();
@@ -79,7 +78,7 @@ fn externals(arguments: &Arguments) -> Vec<External> {
     }
     let mut with = |python: &Option<PathBuf>, code, name, only: &'static [&'static str]| {
         let command = python.iter().map(|python| vec![python.clone(), script(name)]);
-        // Runs of soft contacts take seconds: they are timed once.
+        // Soft contacts take seconds per run: time them once.
         let rounds = if only == CONTACTS { 1 } else { u32::MAX };
         all.extend(command.map(|command| External { code, command, rounds, only }));
     };

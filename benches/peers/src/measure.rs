@@ -1,7 +1,7 @@
 //! Nanoseconds of a run, repeated within one process.
 //!
-//! It is the thread's CPU time that counts: on a shared machine others take caches and
-//! clock rate from all codes alike, but not whole time slices from some.
+//! The thread's CPU time counts: other processes slow all codes alike through caches and clock
+//! rate, but would take whole time slices from only some.
 
 use std::time::Duration;
 
@@ -10,13 +10,13 @@ use rustix::time::{ClockId, clock_gettime};
 use crate::entry::Run;
 use crate::log::Log;
 
-/// One timing is at least this long, so that reading the clock, 0.3 µs, does not count.
+/// Minimum length of one timing, so that reading the clock, 0.3 µs, does not count.
 const BATCH: Duration = Duration::from_micros(100);
 
-/// A run longer than this is timed once a round only.
+/// Length of a run above which it is timed only once a round.
 const LONG: Duration = Duration::from_millis(300);
 
-/// Times `run` for about `budget` and returns the time of one run (ns), once per batch.
+/// Times `run` for about `budget` and returns the time per run (ns) of each batch.
 pub(crate) fn time(run: &Run, log: &mut Log, budget: Duration) -> Vec<f64> {
     let once = batch(run, log, 1);
     if once > LONG {
@@ -36,13 +36,12 @@ fn batch(run: &Run, log: &mut Log, count: u32) -> Duration {
     let start = now();
     for _ in 0..count {
         log.clear();
-        // Only runs that were judged right are timed: they cannot fail now.
+        // Only runs that passed the judge are timed: they cannot fail now.
         let _ = run(std::hint::black_box(&mut *log));
     }
     now().saturating_sub(start)
 }
 
-/// CPU time of this thread.
 fn now() -> Duration {
     Duration::try_from(clock_gettime(ClockId::ThreadCPUTime)).unwrap_or_default()
 }
@@ -51,7 +50,7 @@ fn nanoseconds(duration: Duration) -> f64 {
     duration.as_secs_f64() * 1e9
 }
 
-/// The median of `values`, and their minimum.
+/// Returns the median and the minimum.
 pub(crate) fn median_and_minimum(values: &[f64]) -> Option<(f64, f64)> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

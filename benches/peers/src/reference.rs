@@ -1,4 +1,4 @@
-//! What is right: events and states, from a closed form or an independent program.
+//! Reference events and states, from a closed form or an independent program.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,17 +8,16 @@ use serde_json::Value;
 
 use crate::problems::ModelB;
 
-/// Distance of the rows of a trajectory (s).
+/// Interval of the rows of a trajectory (s).
 const ROW: f64 = 0.01;
 
-/// States are compared at least this far from any event (s): an event time that is off by
-/// δ makes the state wrong by δ times the jump, which is another error and measured as such.
+/// Minimum distance of a compared state from any event (s): an event time that is off by δ makes
+/// the state wrong by δ times the jump, an error that is measured on its own.
 const AWAY: f64 = 0.005;
 
-/// An event that must happen.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Expected {
-    /// When (s).
+    /// Time (s).
     pub(crate) t: f64,
     pub(crate) guard: String,
 }
@@ -26,7 +25,6 @@ pub(crate) struct Expected {
 /// Events in their order, and states away from them.
 #[derive(Clone, Debug)]
 pub(crate) struct Reference {
-    /// All events until the end.
     pub(crate) events: Vec<Expected>,
     /// Times at which states are compared (s).
     pub(crate) times: Vec<f64>,
@@ -51,19 +49,18 @@ impl Reference {
     }
 }
 
-/// Number of rows after the first until `t_end` (s).
+/// Returns the number of rows after the first until `t_end` (s).
 pub(crate) fn rows(t_end: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
     let count = (t_end / ROW + 0.5) as u32;
     count
 }
 
-/// Time of a row (s).
 pub(crate) fn row_time(row: u32) -> f64 {
     f64::from(row) * ROW
 }
 
-/// A case of model B as it stands under crates/instruments/tests/reference.
+/// Reads a case of model B under crates/instruments/tests/reference.
 pub(crate) fn model_b(name: &str) -> Result<(ModelB, f64, Reference), String> {
     let folder = folder();
     let json = read(&folder.join(format!("{name}.json")))?;
@@ -79,7 +76,7 @@ pub(crate) fn model_b(name: &str) -> Result<(ModelB, f64, Reference), String> {
     Ok((problem, t_end, Reference::new(events, rows)))
 }
 
-/// A case of this package: its parameters by name, its end (s), and what is right.
+/// Reads a case of this package: its parameters by name, its end (s), and its reference.
 pub(crate) fn contact(name: &str) -> Result<(BTreeMap<String, f64>, f64, Reference), String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
     let json = read(&path.join(format!("{name}.json")))?;
@@ -101,7 +98,6 @@ pub(crate) fn contact(name: &str) -> Result<(BTreeMap<String, f64>, f64, Referen
     parts().ok_or_else(|| format!("{name}: the reference is incomplete"))
 }
 
-/// Where the references stand.
 pub(crate) fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../crates/instruments/tests/reference")
 }
@@ -114,7 +110,7 @@ fn expected(event: &Value) -> Option<Expected> {
     Some(Expected { t: number(&event["t"])?, guard: event["guard"].as_str()?.to_owned() })
 }
 
-/// A number, which may stand in quotes to keep its digits.
+/// Reads a number, also in quotes, which keep its digits.
 pub(crate) fn number(value: &Value) -> Option<f64> {
     value.as_f64().or_else(|| value.as_str()?.parse().ok())
 }
@@ -137,7 +133,7 @@ fn problem(p: &Value, bells: &Value, rest: &[f64]) -> Option<ModelB> {
     })
 }
 
-/// Time and the four states of each row: columns t, mode, θh, θk, θh', θk', …
+/// Reads time and four states of each row: columns t, mode, θh, θk, θh', θk', …
 fn trajectory(csv: &str) -> Result<Vec<(f64, Vec<f64>)>, String> {
     let row = |line: &str| {
         let fields: Vec<&str> = line.split(',').collect();

@@ -12,7 +12,7 @@ use crate::row::Row;
 use crate::table;
 use crate::versions::Machine;
 
-/// All that is written to results.json before the rows.
+/// The head of results.json, before the rows.
 #[derive(Serialize)]
 struct Results<'a> {
     machine: &'a Machine,
@@ -23,10 +23,7 @@ struct Results<'a> {
     skipped: &'a [String],
 }
 
-/// Writes both files into `out`.
-///
-/// # Errors
-/// Names the file that cannot be written.
+/// Writes both files into `out`; the error names the file.
 pub(crate) fn write(
     out: &Path,
     cases: &[Case],
@@ -52,7 +49,7 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// The head, indented, and one row a line: what changed in a later run can be read.
+/// Formats an indented head and one row a line, so that a diff of two runs is readable.
 fn json(head: &Results<'_>, rows: &[Row]) -> serde_json::Result<String> {
     let head = serde_json::to_string_pretty(head)?;
     let rows: serde_json::Result<Vec<_>> = rows.iter().map(serde_json::to_string).collect();

@@ -1,4 +1,4 @@
-//! All rows, in rounds: what disturbs the machine for a while disturbs all codes alike.
+//! All rows, in rounds: a temporary disturbance of the machine affects all codes alike.
 
 use std::path::Path;
 use std::time::Duration;
@@ -10,27 +10,23 @@ use crate::log::Log;
 use crate::measure;
 use crate::row::Row;
 
-/// How much time there is.
+/// Rounds and time of the benchmark.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plan {
-    /// Rounds over all codes.
     pub(crate) rounds: u32,
-    /// Time for each row and round.
     pub(crate) budget: Duration,
-    /// The sweep of the programs that are not Rust ends at 10^-last.
+    /// Exponent of the tightest tolerance 10^-last in the sweep of the programs that are not Rust.
     pub(crate) last: i32,
 }
 
-/// What came of it.
+/// Results of the benchmark.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Outcome {
-    /// All rows, by problem.
     pub(crate) rows: Vec<Row>,
-    /// `code: reason` of what could not be run.
+    /// `code: reason` of each code that could not run.
     pub(crate) skipped: Vec<String>,
 }
 
-/// Runs everything.
 pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &Path) -> Outcome {
     let mut outcome = Outcome::default();
     for case in cases {
@@ -38,7 +34,7 @@ pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &P
             let mut log = Log::new(&case.reference.times);
             let ended = (entry.run)(&mut log);
             let verdict = judge(&case.reference, &log.events, &log.states, ended);
-            // Counted without samples: a dense output at a sample may cost evaluations.
+            // Count without samples: a dense output at a sample may cost evaluations.
             let mut quiet = Log::new(&[]);
             let rhs = (entry.run)(&mut quiet).ok().and(quiet.evaluations);
             outcome.rows.push(Row::new(case.name, entry, verdict, rhs));
@@ -57,7 +53,7 @@ pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &P
     outcome
 }
 
-/// One round over the Rust codes: their rows are the first, in the order of the entries.
+/// Times the Rust codes for one round: their rows are the first, in the order of the entries.
 fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
     let entries = cases.iter().flat_map(|case| &case.entries);
     let mut log = Log::new(&[]);
@@ -66,7 +62,7 @@ fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
     }
 }
 
-/// One round over the other programs; what fails is skipped, once, with its reason.
+/// Runs the other programs for one round; a failing one is skipped once, with its reason.
 fn run_externals(
     cases: &[Case],
     externals: &[&External],
@@ -89,7 +85,7 @@ fn run_externals(
     }
 }
 
-/// Adds the row's times to those of the same row in an earlier round.
+/// Adds the row's times to the row of an earlier round.
 fn merge(rows: &mut Vec<Row>, row: Row) {
     match rows.iter_mut().find(|known| known.is_same(&row)) {
         Some(known) => known.times.extend(row.times),

@@ -7,33 +7,29 @@ use crate::judge::Verdict;
 use crate::measure::median_and_minimum;
 use crate::versions::version;
 
-/// What is known of a row; written to results.json.
+/// A row of results.json.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Row {
-    /// Name of the problem.
     pub(crate) problem: String,
-    /// Name of the code.
     pub(crate) code: String,
     pub(crate) version: String,
     pub(crate) method: String,
-    /// "default", "sweep", or a name for the advice that was followed.
+    /// "default", "sweep", or a name for the advice.
     pub(crate) setting: String,
     /// Relative and absolute tolerance, or step (s).
     pub(crate) tolerance_or_step: f64,
     pub(crate) events: usize,
-    /// Whether all events happened, in their order, and no others; false where a code reports
-    /// no events, and is judged by its states alone.
+    /// `true` if all events happened in their order, and no others; `false` for a code without
+    /// events, which is judged by its states.
     pub(crate) sequence_ok: bool,
     /// Largest error of an event's time (s).
     pub(crate) event_error_s: Option<f64>,
     /// Largest error of the state away from events, each component over its own magnitude.
     pub(crate) state_error: Option<f64>,
-    /// Evaluations of the right-hand side.
     pub(crate) rhs: Option<u64>,
-    /// Least time of all repeats (ns per simulated ms).
+    /// Minimum time of all repeats (ns per simulated ms).
     pub(crate) ns_per_ms_min: Option<f64>,
     pub(crate) ns_per_ms_median: Option<f64>,
-    /// What a reader must know.
     pub(crate) note: String,
     pub(crate) failure: Option<String>,
     /// Times of single runs (ns).
@@ -42,7 +38,6 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// A row of a Rust code.
     pub(crate) fn new(problem: &str, entry: &Entry, verdict: Verdict, rhs: Option<u64>) -> Self {
         Self {
             problem: problem.to_owned(),
@@ -65,7 +60,6 @@ impl Row {
         .judged(verdict)
     }
 
-    /// The same with its verdict.
     pub(crate) fn judged(self, verdict: Verdict) -> Self {
         Self {
             events: verdict.events,
@@ -77,7 +71,7 @@ impl Row {
         }
     }
 
-    /// Sums the times up, of runs over `t_end` (s); a failure has no time.
+    /// Computes minimum and median of runs over `t_end` (s); a failure has no time.
     pub(crate) fn sum_up(&mut self, t_end: f64) {
         let per_ms = 1.0 / (t_end * 1e3);
         let found = median_and_minimum(&self.times).filter(|_| self.failure.is_none());
@@ -87,7 +81,7 @@ impl Row {
         self.state_error = self.state_error.map(rounded);
     }
 
-    /// Whether two rows are of the same code in the same setting.
+    /// Returns `true` if both rows have the same problem, code, method, setting and tolerance.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.problem == other.problem
             && self.code == other.code
@@ -97,7 +91,7 @@ impl Row {
     }
 }
 
-/// Four digits: more would only be noise in the committed file.
+/// Rounds to four digits: more would be noise in the committed file.
 fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }

@@ -1,4 +1,4 @@
-//! table.md: per problem the cheapest at 1e-9 s, the defaults, and who failed.
+//! table.md: per problem the cheapest rows at 1e-9 s, the defaults, and the failures.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -9,10 +9,9 @@ use crate::rounds::{Outcome, Plan};
 use crate::row::Row;
 use crate::versions::Machine;
 
-/// The error of event times at which codes are compared (s).
+/// Error of event times at which codes are compared (s).
 const ERROR: f64 = 1e-9;
 
-/// The whole file.
 pub(crate) fn render(
     cases: &[Case],
     outcome: &Outcome,
@@ -76,7 +75,7 @@ fn problem(case: &Case, rows: &[&Row]) -> String {
     text
 }
 
-/// What distinguishes codes in the table.
+/// Code, method and setting (the default counts as "sweep").
 type Key<'a> = (&'a str, &'a str, &'a str);
 
 fn key(row: &Row) -> Key<'_> {
@@ -88,7 +87,7 @@ fn time(row: &Row) -> f64 {
     row.ns_per_ms_median.unwrap_or(f64::INFINITY)
 }
 
-/// The cheapest row of each code and method that is good enough.
+/// Finds the cheapest row of each code and method that is accurate enough.
 fn cheapest<'a>(rows: &[&'a Row]) -> BTreeMap<Key<'a>, &'a Row> {
     let mut best: BTreeMap<_, &Row> = BTreeMap::new();
     for row in rows.iter().filter(|row| row.event_error_s.is_some_and(|error| error <= ERROR)) {
@@ -100,7 +99,7 @@ fn cheapest<'a>(rows: &[&'a Row]) -> BTreeMap<Key<'a>, &'a Row> {
     best
 }
 
-/// Codes and methods that are never good enough: their most accurate row.
+/// Finds the most accurate row of each code and method that is never accurate enough.
 fn missed<'a>(rows: &[&'a Row], best: &[&Row]) -> Vec<&'a Row> {
     let mut closest: BTreeMap<_, &Row> = BTreeMap::new();
     let is_listed = |row: &Row| best.iter().any(|known| key(known) == key(row));
@@ -142,7 +141,7 @@ fn table(rows: &[&Row]) -> String {
     text
 }
 
-/// Who missed what: one line per code, method and kind of failure, with the settings it met.
+/// Lists the failures: one line per code, method and kind of failure, with the settings.
 fn failures(rows: &[&Row]) -> String {
     let mut by_code: BTreeMap<Key<'_>, Vec<&Row>> = BTreeMap::new();
     for row in rows.iter().filter(|row| row.failure.is_some()) {
@@ -167,7 +166,7 @@ fn failures(rows: &[&Row]) -> String {
     text + "\n"
 }
 
-/// Three digits.
+/// Formats three digits.
 fn figure(value: Option<f64>) -> String {
     value.map_or_else(
         || "–".to_owned(),
@@ -184,6 +183,5 @@ fn scientific(value: Option<f64>) -> String {
 }
 
 fn line(text: &mut String, arguments: std::fmt::Arguments<'_>) {
-    // Writing to a string cannot fail.
     let _ = writeln!(text, "{arguments}");
 }

@@ -1,4 +1,4 @@
-//! Which version of a code was run, and on which machine.
+//! Versions of the codes, and the machine.
 
 use std::fs;
 use std::process::Command;
@@ -8,7 +8,7 @@ use serde::Serialize;
 /// The lock file that this program was built from.
 const LOCK: &str = include_str!("../Cargo.lock");
 
-/// The version of a Rust code; "-" for what has none.
+/// Returns the version of a Rust code, or "-" for one without version.
 pub(crate) fn version(code: &str) -> String {
     if code == "handwritten" {
         return "-".to_owned();
@@ -20,21 +20,18 @@ pub(crate) fn version(code: &str) -> String {
     version.unwrap_or("-").to_owned()
 }
 
-/// The machine and the tools: a time means nothing without them.
+/// Machine and tools: a time means nothing without them.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Machine {
     pub(crate) cpu: String,
-    /// Number of cores that the system has.
     pub(crate) cores: usize,
-    /// Kernel and its release.
     pub(crate) kernel: String,
-    /// The compiler that built the Rust codes.
+    /// The compiler of the Rust codes.
     pub(crate) rustc: String,
     pub(crate) date: String,
 }
 
 impl Machine {
-    /// This machine, now.
     pub(crate) fn here() -> Self {
         Self {
             cpu: cpu().unwrap_or_else(|| "unknown".to_owned()),
@@ -52,7 +49,7 @@ fn cpu() -> Option<String> {
     Some(line.split_once(':')?.1.trim().to_owned())
 }
 
-/// What a program prints, or "unknown".
+/// Returns the output of a program, or "unknown".
 fn said(program: &str, arguments: &[&str]) -> String {
     let output = Command::new(program).args(arguments).output();
     let text = output.map(|it| String::from_utf8_lossy(&it.stdout).trim().to_owned());

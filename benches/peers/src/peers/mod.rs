@@ -1,4 +1,4 @@
-//! The codes, one file each; `entries` lists what of each is run.
+//! The codes, one module each, with their `entries`.
 
 mod differential_equations;
 mod diffsol;
@@ -12,7 +12,6 @@ pub(crate) use ours::{Driven, KeyHammer, Ours, Written, entries as ours, expande
 use crate::entry::Entry;
 use crate::problem::Problem;
 
-/// All Rust peers on `problem`, until `t_end` (s).
 pub(crate) fn entries<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
     problem: P,
     t_end: f64,

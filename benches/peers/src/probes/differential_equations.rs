@@ -1,5 +1,5 @@
-//! Its root finder loses the bracket; a crossing on a step's end is missed; the dense output
-//! of DOP853 is of low order.
+//! Its root finder loses the bracket; a crossing at a step's end is missed; the dense output of
+//! DOP853 is of low order.
 
 use differential_equations::ode::OrdinaryNumericalMethod;
 use differential_equations::prelude::{
@@ -28,7 +28,7 @@ impl ODE<f64, f64> for Sixth {
     }
 }
 
-/// A guard of the time, with the direction that is asked for.
+/// A guard of the time, with the direction of its crossing.
 struct Guard(fn(f64) -> f64, CrossingDirection);
 
 impl Event<f64, f64> for Guard {
@@ -41,7 +41,7 @@ impl Event<f64, f64> for Guard {
     }
 }
 
-/// When the event is reported, with steps of `h` from 0 to 1.
+/// Returns the time of the reported event, with steps of `h` from 0 to 1.
 fn event(guard: &Guard, h: f64) -> Option<f64> {
     let method = ExplicitRungeKutta::rk4(h);
     let solution = IVP::ode(&Clock, 0.0, 1.0, 0.0).method(method).event(guard).solve().ok()?;
@@ -49,7 +49,7 @@ fn event(guard: &Guard, h: f64) -> Option<f64> {
     solution.t.last().copied().filter(|_| is_event)
 }
 
-/// x' = 6 t⁵ over one step from 0 to 1: the dense output at 1/4, where x is 4⁻⁶.
+/// Integrates x' = 6 t⁵ in one step from 0 to 1; returns the dense output at 1/4, where x is 4⁻⁶.
 fn quarter() -> f64 {
     let mut method = ExplicitRungeKutta::dop853().rtol(1e9).atol(1e9).h0(1.0);
     if method.init(&Sixth, 0.0, 1.0, &0.0).is_err() || method.step(&Sixth).is_err() {

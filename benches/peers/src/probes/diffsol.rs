@@ -1,4 +1,4 @@
-//! A state that is put exactly on the threshold falls through it.
+//! A state that is exactly on the threshold falls through it.
 
 use super::Probe;
 use crate::log::Log;
@@ -6,7 +6,7 @@ use crate::peers;
 use crate::problem::Problem;
 use crate::problems::Ball;
 
-/// The ball, put exactly on the floor after an impact: without the nudge of diffsol's book.
+/// The ball exactly on the floor after an impact: without the nudge of diffsol's book.
 #[derive(Clone, Copy)]
 struct OnTheFloor(Ball);
 
@@ -42,7 +42,7 @@ impl Problem<2, 1> for OnTheFloor {
     }
 }
 
-/// Number of impacts until 3.6 s, and the height at 3.6 s (m).
+/// Returns the number of impacts until 3.6 s, and the height at 3.6 s (m).
 fn fall() -> (usize, f64) {
     const T_END: f64 = 3.6;
     let ball = OnTheFloor(Ball { g: 9.81, e: 0.8, height: 1.0 });

@@ -1,5 +1,5 @@
-//! Faults of peers that a reader should know of, measured anew in each run: an exact
-//! question with a known answer, and what the code answers.
+//! Faults of peers, measured again in each run: an exact question with a known answer, and the
+//! code's answer.
 
 mod differential_equations;
 mod diffsol;
@@ -10,9 +10,9 @@ use serde::Serialize;
 /// One observation.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub(crate) struct Probe {
-    /// Which code, with its version.
+    /// The code with its version.
     pub(crate) code: String,
-    /// The question, the right answer, and what was answered.
+    /// The question, the right answer, and the code's answer.
     pub(crate) seen: String,
 }
 
@@ -22,7 +22,6 @@ impl Probe {
     }
 }
 
-/// All of them.
 pub(crate) fn all() -> Vec<Probe> {
     let mut all = ode_solvers::probes();
     all.extend(differential_equations::probes());

@@ -10,7 +10,7 @@ use crate::reference::{Expected, Reference};
 pub(crate) struct Ball {
     /// Gravity (m/s²).
     pub(crate) g: f64,
-    /// Speed after an impact over speed before.
+    /// Restitution of an impact.
     pub(crate) e: f64,
     /// Height at the start (m).
     pub(crate) height: f64,
@@ -47,7 +47,6 @@ impl Problem<2, 1> for Ball {
         ((), [0.0, -self.e * x[1]])
     }
 
-    /// As in diffsol's book: `y[0].max(f64::EPSILON)`.
     fn nudged(&self, x: [f64; 2]) -> [f64; 2] {
         [x[0].max(f64::EPSILON), x[1]]
     }
@@ -62,13 +61,13 @@ impl Problem<2, 1> for Ball {
 }
 
 impl Ball {
-    /// Time of the impact `n`, counted from 1 (s).
+    /// Returns the time of the impact `n`, counted from 1 (s).
     fn impact(&self, n: i32) -> f64 {
         let first = (2.0 * self.height / self.g).sqrt();
         first * (1.0 + 2.0 * self.e * (1.0 - self.e.powi(n - 1)) / (1.0 - self.e))
     }
 
-    /// Height and speed at `t` (s) after `n` impacts.
+    /// Returns height and speed at `t` (s) after `n` impacts.
     fn state(&self, t: f64, n: i32) -> [f64; 2] {
         if n == 0 {
             return [self.height - 0.5 * self.g * t * t, -self.g * t];
@@ -78,7 +77,7 @@ impl Ball {
         [since * (speed - 0.5 * self.g * since), speed - self.g * since]
     }
 
-    /// The closed form until `t_end` (s).
+    /// Computes the closed form until `t_end` (s).
     pub(crate) fn reference(&self, t_end: f64) -> Reference {
         let times: Vec<f64> =
             (1..1000).map(|n| self.impact(n)).take_while(|time| *time < t_end).collect();

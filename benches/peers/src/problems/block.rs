@@ -1,12 +1,12 @@
 //! A block that rocks, slides and sticks: a rectangle on a level floor with Coulomb friction.
 //!
-//! In each mode one corner touches, and sticks or slides; six modes, and an impact at each
+//! In each mode one corner touches, and sticks or slides: six modes, with an impact at each
 //! change of the corner. Forces and impulses are over the mass. The impact of a corner is
 //! plastic (restitution 0), and Coulomb's law holds for its impulse.
 
 use crate::problem::Problem;
 
-/// State: the centre's place x (m), the angle θ (rad), and their rates.
+/// State: the centre's position x (m), the angle θ (rad), and their rates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Block {
     /// Half width and half height (m).
@@ -15,16 +15,15 @@ pub(crate) struct Block {
     pub(crate) g: f64,
     /// Coefficient of friction.
     pub(crate) mu: f64,
-    /// Mode and state at the start.
     pub(crate) start: (Mode, [f64; 4]),
 }
 
-/// Which corner touches, and how it moves.
+/// The touching corner and its motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Mode {
-    /// The corner that touches: 1 right, −1 left.
+    /// Touching corner: 1 right, −1 left.
     pub(crate) corner: i8,
-    /// Its direction of sliding: 1, −1, or 0 where it sticks.
+    /// Direction of sliding: 1, −1, or 0 for sticking.
     pub(crate) slides: i8,
 }
 
@@ -35,7 +34,7 @@ struct Motion {
     /// Friction, which is x'', and the normal force (m/s²).
     along: f64,
     normal: f64,
-    /// From the centre to the corner (m).
+    /// Vector of centre to corner (m).
     arm: [f64; 2],
 }
 
@@ -70,7 +69,7 @@ impl Block {
         Motion { turn, along: -part * normal, normal, arm }
     }
 
-    /// The margin of the cone on one side, and its rate, where the corner sticks.
+    /// Returns the margin of the cone on one side, and its rate, where the corner sticks.
     #[inline]
     fn cone(&self, corner: i8, side: f64, x: &[f64; 4]) -> (f64, f64) {
         let Motion { turn, along, normal, arm: [px, py] } =
@@ -82,7 +81,7 @@ impl Block {
         (self.mu * normal - side * along, self.mu * normal_rate - side * along_rate)
     }
 
-    /// The mode of a corner that has lost its speed: stuck if the cone holds the force.
+    /// Returns the mode of a corner that has lost its speed: it sticks if the cone holds the force.
     fn stopped(&self, corner: i8, x: &[f64; 4]) -> Mode {
         let Motion { along, normal, .. } = self.motion(Mode { corner, slides: 0 }, x);
         let slides = match () {
@@ -93,7 +92,7 @@ impl Block {
         Mode { corner, slides }
     }
 
-    /// Mode and state after `corner` has come down.
+    /// Returns mode and state after the impact of `corner`.
     fn impact(&self, corner: i8, x: &[f64; 4]) -> (Mode, [f64; 4]) {
         let ([a, b], inertia) = (self.half, self.inertia());
         let a = f64::from(corner) * a;
@@ -159,7 +158,7 @@ impl Problem<4, 3> for Block {
         if guard == 0 {
             return self.impact(-corner, x);
         }
-        // The corner does not move now, without the drift of the steps before.
+        // Stop the corner: earlier steps left some drift.
         let after = [x[0], x[1], x[3] * self.arm(corner, x[1])[1], x[3]];
         let mode = match (guard, slides) {
             (1, 0) => Mode { corner, slides: -1 },

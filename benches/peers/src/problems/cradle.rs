@@ -1,21 +1,20 @@
-//! Newton's cradle: five balls that swing from points of their own, with gaps at rest, so
-//! that impacts of neighbours come one after another and every law of impact agrees.
+//! Newton's cradle: five balls with gaps at rest, so that impacts of neighbours follow one
+//! another and every law of impact agrees.
 
 use pode::{EquationKind, Nature};
 
 use crate::problem::Problem;
 
-/// Balls in the row.
 const BALLS: usize = 5;
 
-/// State: positions u from where each ball hangs at rest (m), then speeds (m/s).
+/// State: displacements u of each ball from rest (m), then speeds (m/s).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cradle {
     /// Square of the pendulums' angular frequency (rad²/s²).
     pub(crate) square: f64,
-    /// Relative speed after an impact over that before.
+    /// Restitution of an impact.
     pub(crate) e: f64,
-    /// How far the first ball is pulled aside at the start (m).
+    /// Displacement of the first ball at the start (m).
     pub(crate) pulled: f64,
     /// Gaps between neighbours at rest (m).
     pub(crate) gaps: [f64; BALLS - 1],

@@ -1,4 +1,4 @@
-//! One file per problem.
+//! The problems.
 
 mod ball;
 mod block;

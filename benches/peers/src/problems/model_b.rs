@@ -1,7 +1,7 @@
 //! Model B, the paper's key and hammer with springs in the contacts, under a stroke.
 //!
-//! Written out by hand from crates/instruments/src/key_hammer_springs/README.md, as the user of
-//! another library would; a test compares it with what `pode` runs at random states.
+//! Written by hand from crates/instruments/src/key_hammer_springs/README.md, as the user of
+//! another library would; a test compares it with `pode` at random states.
 
 use std::fmt::Write as _;
 
@@ -36,7 +36,7 @@ pub(crate) enum Mode {
 }
 
 impl ModelB {
-    /// The parameters as `name value` lines, for the other programs.
+    /// Returns the parameters as `name value` lines, for the other programs.
     pub(crate) fn lines(&self, t_end: f64) -> String {
         let names = "L1 L2 L3 L4 weight_key weight_hammer k1 k2 JK JH string restitution";
         let bells = self.bells.as_flattened();
@@ -47,13 +47,12 @@ impl ModelB {
         let bells = bells.iter().enumerate().map(|(i, value)| (format!("bell{i}"), *value));
         let rest = self.rest.iter().enumerate().map(|(i, value)| (format!("rest{i}"), *value));
         for (name, value) in names.zip(values).chain(bells).chain(rest) {
-            // Writing to a string cannot fail.
             let _ = writeln!(lines, "{name} {value:?}");
         }
         lines
     }
 
-    /// The manipulandum's angle (rad).
+    /// Returns the manipulandum's angle (rad).
     #[inline]
     pub(crate) fn input(&self, t: f64) -> f64 {
         self.bells.iter().fold(0.0, |sum, [a, tc, per_w]| {
@@ -62,7 +61,7 @@ impl ModelB {
         })
     }
 
-    /// The gap −q4 cos δ (m), positive apart.
+    /// Returns the gap −q4 cos δ (m), positive apart.
     #[inline]
     fn gap(&self, x: &[f64; 4]) -> f64 {
         let [l1, _, l3, l4] = self.l;
@@ -70,7 +69,7 @@ impl ModelB {
         l4 * cos - l3 * sin - l1 * (x[1] - x[0]).sin()
     }
 
-    /// Its rate (m/s).
+    /// Returns the rate of the gap (m/s).
     #[inline]
     fn gap_rate(&self, x: &[f64; 4]) -> f64 {
         let [l1, _, l3, l4] = self.l;
@@ -78,7 +77,7 @@ impl ModelB {
         -(l4 * sin + l3 * cos) * x[2] - l1 * (x[1] - x[0]).cos() * (x[3] - x[2])
     }
 
-    /// θh'' JH, θk'' JK of the contact spring, and cos θh, cos θk.
+    /// Returns θh'' JH and θk'' JK of the contact spring, and cos θh, cos θk.
     #[inline]
     fn contact(&self, x: &[f64; 4]) -> ([f64; 2], [f64; 2]) {
         let [l1, _, l3, l4] = self.l;

@@ -1,4 +1,4 @@
-//! The crate's own events: terminal and falling, one `solve` from each to the next.
+//! The crate's own events: terminal and falling, one `solve` between two events.
 
 use std::cell::{Cell, RefCell};
 
@@ -12,7 +12,7 @@ use super::flight::Flight;
 use crate::log::Log;
 use crate::problem::Problem;
 
-/// Guard `index` of the problem, or one that never fires if there are not so many.
+/// Guard `index` of the problem; it never fires if the problem has fewer guards.
 struct Guard<'a, const N: usize, const G: usize, P: Problem<N, G>> {
     flight: &'a Flight<'a, N, G, P>,
     index: usize,
@@ -29,7 +29,7 @@ impl<const N: usize, const G: usize, P: Problem<N, G>> Event<f64, [f64; N]> for 
     }
 }
 
-/// Takes the wanted states, and nothing else.
+/// Records the wanted states, and does nothing else.
 struct Sampler<'a>(&'a RefCell<&'a mut Log>);
 
 impl<const N: usize> Solout<f64, [f64; N]> for Sampler<'_> {
@@ -48,7 +48,7 @@ impl<const N: usize> Solout<f64, [f64; N]> for Sampler<'_> {
     }
 }
 
-/// Runs `problem` to its end; `after` has the last word on the state after a reset.
+/// Runs `problem` to its end; `after` may change the state after a reset.
 pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>, S>(
     problem: &P,
     t_end: f64,
@@ -85,7 +85,7 @@ where
     Ok(())
 }
 
-/// Which guard is nearest to zero: the crate does not say which event it was.
+/// Returns the guard nearest to zero: the crate does not report which event fired.
 fn nearest(guards: &[f64]) -> usize {
     let size = |index: &usize| guards[*index].abs();
     (0..guards.len()).min_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0)

@@ -1,4 +1,4 @@
-//! A problem as the crate wants it; the mode stands in a cell, for it takes `&self`.
+//! A problem behind the crate's trait; the mode is in a cell, since the trait passes `&self`.
 
 use std::cell::Cell;
 
@@ -6,7 +6,7 @@ use differential_equations::prelude::ODE;
 
 use crate::problem::Problem;
 
-/// A problem in its present mode.
+/// A problem in its current mode.
 pub(super) struct Flight<'a, const N: usize, const G: usize, P: Problem<N, G>> {
     pub(super) problem: &'a P,
     pub(super) mode: &'a Cell<P::Mode>,

@@ -1,10 +1,10 @@
 //! The crate `differential-equations`: DOP853 and Dopri5 with events.
 //!
-//! - default: its tolerances, 1e-6 both, and its own events (`IVP::event`), terminal and
-//!   falling, with a new `solve` after each; swept as well;
-//! - best: its own `Solout` (documented in its example 10_custom_solout) with a root search
-//!   on the method's interpolant, and `ControlFlag::ModifyState` at the event: one `solve`
-//!   for the whole run, and not the crate's Brent–Dekker, which loses its bracket (`probes`).
+//! - default: tolerances 1e-6 both, its own terminal falling events (`IVP::event`), and a new
+//!   `solve` after each; swept as well;
+//! - best: its own `Solout` (its example 10_custom_solout) with a root search on the method's
+//!   interpolant, and `ControlFlag::ModifyState` at the event: one `solve` for the whole run,
+//!   without the crate's Brent–Dekker, which loses its bracket (`probes`).
 
 mod events;
 mod flight;
@@ -21,14 +21,13 @@ use crate::problem::Problem;
 
 const CODE: &str = "differential-equations";
 
-/// A method of the crate.
 #[derive(Clone, Copy)]
 enum Method {
     Dop853,
     Dopri5,
 }
 
-/// Where events are located.
+/// Location of the events.
 #[derive(Clone, Copy)]
 enum Events {
     Its,

@@ -10,13 +10,11 @@ use crate::log::Log;
 use crate::peers::handwritten::falling;
 use crate::problem::{Problem, armed};
 
-/// First step (s), also after each event.
-///
-/// The crate takes the same one at each restart, and refuses it where it is longer than what
-/// is left: so it is given that much more at the end.
+/// First step (s), also after each event. The crate rejects one that is longer than the rest of
+/// the run, so the run ends that much later.
 pub(super) const FIRST: f64 = 0.01;
 
-/// Follows the steps.
+/// Watches the guards in each step.
 struct Watcher<'a, const N: usize, const G: usize, P: Problem<N, G>> {
     problem: &'a P,
     t_end: f64,
@@ -27,7 +25,6 @@ struct Watcher<'a, const N: usize, const G: usize, P: Problem<N, G>> {
     failed: Result<(), String>,
 }
 
-/// Runs `problem` to its end.
 pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>, S>(
     problem: &P,
     t_end: f64,
@@ -49,7 +46,7 @@ where
 }
 
 impl<const N: usize, const G: usize, P: Problem<N, G>> Watcher<'_, N, G, P> {
-    /// The first guard that has fallen in the step from `from` to `to` (s), and when.
+    /// Finds the first guard that has fallen in the step from `from` to `to` (s), and its time.
     fn earliest<I: Interpolation<f64, [f64; N]> + ?Sized>(
         &self,
         (from, to): (f64, f64),
@@ -70,7 +67,6 @@ impl<const N: usize, const G: usize, P: Problem<N, G>> Watcher<'_, N, G, P> {
         first.map(|(theta, guard)| (from + theta * (to - from), guard))
     }
 
-    /// Takes the guards anew after an event.
     fn restart(&mut self, x: &[f64; N]) {
         self.guards = self.problem.guards(self.mode.get(), x);
         self.watched = armed(self.problem, self.mode.get(), x);
@@ -114,7 +110,7 @@ impl<const N: usize, const G: usize, P: Problem<N, G>> Solout<f64, [f64; N]>
     }
 }
 
-/// The interpolant's state, or one that no test takes for right.
+/// Returns the interpolant's state, or one that fails every test.
 fn state<const N: usize, I: Interpolation<f64, [f64; N]> + ?Sized>(
     interpolant: &mut I,
     t: f64,

@@ -1,4 +1,4 @@
-//! Steps until a root function changes its sign; resets the state there, and goes on.
+//! Steps until a root function changes its sign, resets the state there, and continues.
 
 use std::cell::Cell;
 
@@ -11,7 +11,6 @@ use crate::problem::Problem;
 
 type V = NalgebraVec<f64>;
 
-/// Drives `solver` to the end of the problem.
 pub(super) fn drive<'a, const N: usize, const G: usize, P, E, S>(
     mut solver: S,
     (problem, t_end, mode): (&P, f64, &Cell<P::Mode>),
@@ -38,7 +37,7 @@ where
         if let Some((t, guard)) = root {
             solver.interpolate_inplace(t, &mut y).map_err(|error| error.to_string())?;
             let mut x: [f64; N] = array(&y);
-            // It reports both directions, also that in which a mode just begins.
+            // The crate reports both directions, also that in which a mode just begins.
             if problem.guard_rates(mode.get(), &x)[guard] <= 0.0 {
                 log.event(t, P::names(mode.get())[guard])?;
                 let (next, after) = problem.fire(mode.get(), guard, &x);
@@ -58,7 +57,6 @@ where
     }
 }
 
-/// The crate's vector as an array.
 fn array<const N: usize>(y: &V) -> [f64; N] {
     std::array::from_fn(|i| y[i])
 }

@@ -5,9 +5,8 @@
 //!   that are not stiff, and ESDIRK34 beside BDF where there are many events ("Events and
 //!   multistep solvers"); all four are swept. nalgebra's dense types, as in the book.
 //!
-//! The mode is held beside the equations in a cell, so that one solver lives through a run.
-//! After a reset the state is put clearly above the floor, as the book's bouncing ball does:
-//! see `probes` for what happens without.
+//! A cell beside the equations holds the mode, so that one solver serves the whole run. After a
+//! reset the state is put clearly above the floor, as in the book's bouncing ball (see `probes`).
 
 mod events;
 
@@ -31,7 +30,6 @@ type Lu = NalgebraLU<f64>;
 type V = NalgebraVec<f64>;
 type C = NalgebraContext;
 
-/// A method of the crate.
 #[derive(Clone, Copy)]
 enum Method {
     Tsit45,
@@ -41,7 +39,7 @@ enum Method {
 }
 
 impl Method {
-    /// Its name, and the tightest tolerance 10^-k at which it still ends in a second.
+    /// Methods with name and the tightest tolerance 10^-k that ends within a second.
     const ALL: [(Self, &'static str, i32); 4] = [
         (Self::Tsit45, "tsit45", 13),
         (Self::Bdf, "BDF", 11),
@@ -59,7 +57,6 @@ impl Method {
     }
 }
 
-/// All rows.
 pub(crate) fn entries<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: P,
     t_end: f64,
@@ -89,7 +86,7 @@ fn entry<const N: usize, const G: usize, P: Problem<N, G>>(
     Entry { code: CODE, method: name, setting, knob: tolerance, note: method.note(), run: run() }
 }
 
-/// The problem as the crate wants it; built once, before the clock runs.
+/// Builds the problem for the crate, before the clock runs.
 fn build<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: P,
     mode: Rc<Cell<P::Mode>>,
@@ -122,7 +119,7 @@ fn build<const N: usize, const G: usize, P: Problem<N, G>>(
         .map_err(|error| error.to_string())
 }
 
-/// A closure that makes a solver and drives it.
+/// Returns a closure that builds a solver and drives it.
 fn runner<const N: usize, const G: usize, P, E>(
     problem: P,
     t_end: f64,
@@ -150,7 +147,6 @@ where
     })
 }
 
-/// The crate's slice as an array.
 #[inline]
 fn state<const N: usize>(x: &[f64]) -> &[f64; N] {
     x.first_chunk().unwrap_or(&[0.0; N])

@@ -1,28 +1,27 @@
 //! Dormand–Prince 8(5,3) with a root search on its dense output, restarted at each event.
 //!
-//! `[HNW93]` II.5 and II.6: the pair, the error estimate and the step control of Hairer's
-//! DOP853. The three evaluations more of the dense output are spent only in a step in which
-//! a guard changes its sign.
+//! Pair, error estimate and step control are those of Hairer's DOP853 (`[HNW93]` II.5, II.6).
+//! The three extra evaluations of the dense output are spent only if a guard changes its sign.
 
 use super::root::falling;
 use super::stages::{Dense, Stages, error, step};
 use crate::log::Log;
 use crate::problem::{Problem, armed};
 
-/// First step (s): the motion starts from rest, and six times longer each is soon enough.
+/// First step (s): the motion starts from rest, and the step can grow sixfold at once.
 const FIRST: f64 = 1e-3;
 
-/// Steps in one run, after which something is wrong.
+/// Number of steps at which a run fails.
 const MOST_STEPS: u32 = 1_000_000;
 
-/// A run in motion.
+/// State of the integration.
 struct Integrator<'a, P: Problem<N, G>, const N: usize, const G: usize> {
     problem: &'a P,
     mode: P::Mode,
     time: f64,
     x: [f64; N],
     h: f64,
-    /// The last attempt was rejected: the step must not grow at once.
+    /// `true` if the last attempt was rejected: the step must not grow at once.
     was_rejected: bool,
     k: Stages<N>,
     guards: [f64; G],
@@ -69,7 +68,7 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         new
     }
 
-    /// Takes derivative and guards anew in a new mode or state.
+    /// Evaluates derivative and guards of a new mode or state.
     fn restart(&mut self) {
         self.k[0] = self.problem.derivative(self.mode, self.time, &self.x);
         self.evaluations += 1;
@@ -77,7 +76,7 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         self.watched = armed(self.problem, self.mode, &self.x);
     }
 
-    /// Tries a step of `h`, and keeps it, or the part of it up to the first event.
+    /// Tries a step of `h` and keeps it, or its part up to the first event.
     #[inline]
     fn attempt(&mut self, tolerance: f64, log: &mut Log) -> Result<(), String> {
         let (problem, mode) = (self.problem, self.mode);
@@ -104,7 +103,6 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         Ok(())
     }
 
-    /// Keeps a step without an event.
     #[inline]
     fn accept(&mut self, end: [f64; N], guards: [f64; G]) {
         self.time += self.h;
@@ -114,7 +112,7 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         }
     }
 
-    /// Keeps the step up to its first event, and goes on from there in the new mode.
+    /// Keeps the step up to its first event, and continues there in the new mode.
     fn leave(&mut self, end: &[f64; N], guards: &[f64; G], log: &mut Log) -> Result<(), String> {
         let dense = self.dense(end);
         let (theta, guard) = self.earliest(&dense, guards);
@@ -126,7 +124,6 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         Ok(())
     }
 
-    /// The dense output of the step that leads to `end`.
     fn dense(&mut self, end: &[f64; N]) -> Dense<N> {
         let (problem, mode) = (self.problem, self.mode);
         let f = |t: f64, x: &[f64; N]| problem.derivative(mode, t, x);
@@ -134,7 +131,7 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         Dense::new(&f, self.time, (&self.x, end), self.h, &mut self.k)
     }
 
-    /// The first guard that falls through zero, and where in the step.
+    /// Returns the first guard that falls through zero, and the part of the step before it.
     fn earliest(&self, dense: &Dense<N>, end: &[f64; G]) -> (f64, usize) {
         let mut first = (1.0, 0);
         for i in (0..G).filter(|i| self.watched[*i] && end[*i] <= 0.0) {
@@ -150,7 +147,7 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         first
     }
 
-    /// Takes the wanted states of a step without an event; nothing in timed runs.
+    /// Records the wanted states of a step without an event; does nothing in timed runs.
     fn sample(&mut self, end: &[f64; N], log: &mut Log) {
         let (time, h) = (self.time, self.h);
         let mut dense = None;

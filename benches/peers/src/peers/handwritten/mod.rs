@@ -1,5 +1,5 @@
-//! What somebody would write for one problem alone: no generality, nothing left out that
-//! costs accuracy. The bar that a library must not be slower than.
+//! Programs written for one problem alone, as accurate as the libraries: the speed that a
+//! library must reach.
 
 mod dop853;
 mod rk4;
@@ -16,7 +16,6 @@ use crate::problem::Problem;
 
 const CODE: &str = "handwritten";
 
-/// Both programs over their sweeps.
 pub(crate) fn entries<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: P,
     t_end: f64,

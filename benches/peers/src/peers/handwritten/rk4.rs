@@ -1,11 +1,11 @@
-//! The classical method with fixed steps; at an event Newton shortens the step until it
-//! ends there, so that its order is kept without a dense output.
+//! RK4 with fixed steps; at an event Newton shortens the step until it ends there, which keeps
+//! the order without a dense output.
 
 use super::root::falling;
 use crate::log::Log;
 use crate::problem::{Problem, armed};
 
-/// Runs `problem` to its end with steps of `h` (s), begun anew at each event.
+/// Runs `problem` to its end with steps of `h` (s), restarted at each event.
 pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     t_end: f64,
@@ -16,7 +16,7 @@ pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     let (mut since, mut steps, mut evaluations) = (0.0, 0_u32, 0);
     let (mut guards, mut watched) = (problem.guards(mode, &x), armed(problem, mode, &x));
     loop {
-        // Not a sum of steps: its rounding would be the error.
+        // A sum of steps would add its rounding to the error.
         let time = since + f64::from(steps) * h;
         let length = h.min(t_end - time);
         if length <= 1e-15 * t_end {
@@ -47,7 +47,7 @@ pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     }
 }
 
-/// One step of `h` from `time` (s).
+/// Takes one step of `h` from `time` (s).
 #[inline]
 fn step<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
@@ -64,7 +64,7 @@ fn step<const N: usize, const G: usize, P: Problem<N, G>>(
     std::array::from_fn(|i| x[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
 }
 
-/// Length of the step up to the first event (s), steps tried for it, and which guard.
+/// Returns the length of the step up to the first event (s), the steps tried, and the guard.
 fn earliest<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     mode: P::Mode,

@@ -1,18 +1,18 @@
-//! Where a guard falls through zero inside a step: Newton, kept inside a bracket.
+//! The zero of a guard inside a step: Newton, kept inside a bracket.
 
-/// Rounds; Newton needs 4 or 5, bisection alone at most 53.
+/// Maximum number of rounds; Newton needs 4 or 5, bisection alone at most 53.
 const ROUNDS: usize = 60;
 
-/// A Newton step shorter than this is the last: its own error is that squared.
+/// Length of the last Newton step: its own error is that squared.
 const LAST: f64 = 1e-10;
 
-/// The part θ of a step at which `guard` (value, and rate per step) falls through zero.
+/// Returns the part θ of a step at which `guard` (value, and rate per step) falls through zero.
 ///
 /// The guard is positive at `start`, or zero there and rising; it is not positive at `end`.
 #[inline]
 pub(crate) fn falling((start, end): (f64, f64), mut guard: impl FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
-    // From the far side if the near one stands on the threshold: zero is a root, but not ours.
+    // Start at the far side if the near one is on the threshold: that zero is another root.
     let mut theta = if start > 1e-9 { start / (start - end) } else { 1.0 };
     for _ in 0..ROUNDS {
         let (value, rate) = guard(theta);

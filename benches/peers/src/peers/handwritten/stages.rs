@@ -1,9 +1,9 @@
-//! One step of the 8(5,3) pair: its stages, its error, and its dense output of order 7.
+//! One step of the 8(5,3) pair: stages, error, and dense output of order 7.
 #![expect(clippy::inline_always, reason = "the sums must be unrolled: measured")]
 
 use super::tableau as t;
 
-/// Derivatives within a step; 12 is the one at its end, 13 to 15 are for the dense output.
+/// Derivatives within a step; 12 is at its end, 13 to 15 are for the dense output.
 pub(super) type Stages<const N: usize> = [[f64; N]; 16];
 
 /// Fills the stages 1 to 11 and returns the solution of order 8.
@@ -29,7 +29,7 @@ pub(super) fn step<const N: usize>(
     combine(x, h, k, t::B)
 }
 
-/// The error over the tolerance, relative and absolute; a step is good up to 1.
+/// Returns the error over the tolerance, relative and absolute; a step is accepted up to 1.
 #[inline]
 pub(super) fn error<const N: usize>(
     x: &[f64; N],
@@ -49,7 +49,7 @@ pub(super) fn error<const N: usize>(
     if both > 0.0 { h * five / (both * N as f64).sqrt() } else { 0.0 }
 }
 
-/// x + h Σ a k.
+/// Returns x + h Σ a k.
 #[inline(always)]
 fn combine<const N: usize, const M: usize>(
     x: &[f64; N],
@@ -61,7 +61,6 @@ fn combine<const N: usize, const M: usize>(
     std::array::from_fn(|i| x[i] + h * sum[i])
 }
 
-/// Σ a k.
 #[inline(always)]
 fn sum<const N: usize, const M: usize>(k: &Stages<N>, terms: [(usize, f64); M]) -> [f64; N] {
     let mut sum = [0.0; N];
@@ -73,7 +72,6 @@ fn sum<const N: usize, const M: usize>(k: &Stages<N>, terms: [(usize, f64); M]) 
     sum
 }
 
-/// The dense output of order 7.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dense<const N: usize> {
     start: [f64; N],
@@ -81,7 +79,7 @@ pub(super) struct Dense<const N: usize> {
 }
 
 impl<const N: usize> Dense<N> {
-    /// Evaluates the three stages more that it needs.
+    /// Evaluates the three extra stages of the dense output.
     pub(super) fn new(
         f: &impl Fn(f64, &[f64; N]) -> [f64; N],
         time: f64,
@@ -106,7 +104,7 @@ impl<const N: usize> Dense<N> {
         Self { start: *x, terms }
     }
 
-    /// The state at the part `theta` of the step.
+    /// Returns the state at the part `theta` of the step.
     pub(super) fn at(&self, theta: f64) -> [f64; N] {
         let mut x = [0.0; N];
         for (index, term) in self.terms.iter().rev().enumerate() {

@@ -1,7 +1,8 @@
 //! Coefficients of Dormand and Prince's 8(5,3) pair with its dense output of order 7.
 //!
-//! As in Hairer's program DOP853 (`[HNW93]` II.5 and II.6), rounded to f64; only the terms
-//! that are not zero, as (stage, coefficient). Stage 12 is the derivative at the step's end.
+//! As in Hairer's program DOP853 (`[HNW93]` II.5 and II.6), rounded to f64, without zeros, as
+//! (stage, coefficient). Stage 12 is the derivative at the step's end; A13 to A15 are for the
+//! dense output only, and D0 to D3 are its terms 4 to 7.
 #![expect(clippy::unreadable_literal, reason = "long numbers, generated")]
 
 /// Times of the stages within the step.
@@ -24,28 +25,21 @@ pub(super) const C: [f64; 16] = [
     0.7777777777777778,
 ];
 
-/// Stage 1.
 pub(super) const A1: [(usize, f64); 1] = [(0, 0.05260015195876773)];
 
-/// Stage 2.
 pub(super) const A2: [(usize, f64); 2] = [(0, 0.0197250569845379), (1, 0.0591751709536137)];
 
-/// Stage 3.
 pub(super) const A3: [(usize, f64); 2] = [(0, 0.02958758547680685), (2, 0.08876275643042054)];
 
-/// Stage 4.
 pub(super) const A4: [(usize, f64); 3] =
     [(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)];
 
-/// Stage 5.
 pub(super) const A5: [(usize, f64); 3] =
     [(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)];
 
-/// Stage 6.
 pub(super) const A6: [(usize, f64); 4] =
     [(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)];
 
-/// Stage 7.
 pub(super) const A7: [(usize, f64); 5] = [
     (0, 0.03709200011850479),
     (3, 0.17038392571223998),
@@ -54,7 +48,6 @@ pub(super) const A7: [(usize, f64); 5] = [
     (6, 0.008273789163814023),
 ];
 
-/// Stage 8.
 pub(super) const A8: [(usize, f64); 6] = [
     (0, 0.6241109587160757),
     (3, -3.3608926294469414),
@@ -64,7 +57,6 @@ pub(super) const A8: [(usize, f64); 6] = [
     (7, -43.48988418106996),
 ];
 
-/// Stage 9.
 pub(super) const A9: [(usize, f64); 7] = [
     (0, 0.47766253643826434),
     (3, -2.4881146199716677),
@@ -75,7 +67,6 @@ pub(super) const A9: [(usize, f64); 7] = [
     (8, -0.020331201708508627),
 ];
 
-/// Stage 10.
 pub(super) const A10: [(usize, f64); 8] = [
     (0, -0.9371424300859873),
     (3, 5.186372428844064),
@@ -87,7 +78,6 @@ pub(super) const A10: [(usize, f64); 8] = [
     (9, -3.0467644718982196),
 ];
 
-/// Stage 11.
 pub(super) const A11: [(usize, f64); 9] = [
     (0, 2.273310147516538),
     (3, -10.53449546673725),
@@ -112,7 +102,6 @@ pub(super) const B: [(usize, f64); 8] = [
     (11, 0.04471061572777259),
 ];
 
-/// Stage 13, for the dense output only.
 pub(super) const A13: [(usize, f64); 8] = [
     (0, 0.056167502283047954),
     (6, 0.25350021021662483),
@@ -124,7 +113,6 @@ pub(super) const A13: [(usize, f64); 8] = [
     (12, -0.008298),
 ];
 
-/// Stage 14, for the dense output only.
 pub(super) const A14: [(usize, f64); 8] = [
     (0, 0.03183464816350214),
     (5, 0.028300909672366776),
@@ -136,7 +124,6 @@ pub(super) const A14: [(usize, f64); 8] = [
     (13, 0.1413124436746325),
 ];
 
-/// Stage 15, for the dense output only.
 pub(super) const A15: [(usize, f64); 8] = [
     (0, -0.42889630158379194),
     (5, -4.697621415361164),
@@ -172,7 +159,6 @@ pub(super) const E5: [(usize, f64); 8] = [
     (11, -0.022355307863886294),
 ];
 
-/// Dense output, term 4.
 pub(super) const D0: [(usize, f64); 12] = [
     (0, -8.428938276109013),
     (5, 0.5667149535193777),
@@ -188,7 +174,6 @@ pub(super) const D0: [(usize, f64); 12] = [
     (15, -4.436036387594894),
 ];
 
-/// Dense output, term 5.
 pub(super) const D1: [(usize, f64); 12] = [
     (0, 10.427508642579134),
     (5, 242.28349177525817),
@@ -204,7 +189,6 @@ pub(super) const D1: [(usize, f64); 12] = [
     (15, 35.81684148639408),
 ];
 
-/// Dense output, term 6.
 pub(super) const D2: [(usize, f64); 12] = [
     (0, 19.985053242002433),
     (5, -387.0373087493518),
@@ -220,7 +204,6 @@ pub(super) const D2: [(usize, f64); 12] = [
     (15, 11.99229113618279),
 ];
 
-/// Dense output, term 7.
 pub(super) const D3: [(usize, f64); 12] = [
     (0, -25.69393346270375),
     (5, -154.18974869023643),

@@ -1,4 +1,4 @@
-//! Dop853: no continuous output that can be asked, so a point inside a step is a shorter step.
+//! Dop853: it has no continuous output, so a point inside a step is the end of a shorter step.
 
 use ode_solvers::dop_shared::{IntegrationError, OutputType, SolverResult, Stats};
 use ode_solvers::{Dop853, SVector};
@@ -7,10 +7,10 @@ use super::events::Solver;
 use super::flight::{Flight, state};
 use crate::problem::Problem;
 
-/// Locates events by steps of its own.
+/// Locates events with shorter steps.
 pub(super) struct LastStep;
 
-/// The crate's defaults, but for the steps' lengths and the output.
+/// Returns the crate's defaults, except step lengths and output.
 fn stepper<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
     flight: Flight<'_, N, G, M, P>,
     (from, start): (f64, SVector<f64, M>),
@@ -44,7 +44,7 @@ impl Solver for LastStep {
         _until: f64,
         tolerance: f64,
     ) -> impl Fn(f64) -> [f64; N] {
-        // Nothing is watched: the step must not stop at the guard that it looks for.
+        // Watch no guard: the step must not stop at the guard that the search locates.
         let flight = Flight { watched: [false; G], ..flight };
         move |t| {
             if t <= from.0 {

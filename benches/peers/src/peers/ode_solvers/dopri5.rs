@@ -1,4 +1,4 @@
-//! Dopri5: sparse steps, the crate's continuous output for the step with the event.
+//! Dopri5: sparse steps, and the crate's continuous output for the step with the event.
 
 use std::cell::Cell;
 
@@ -14,7 +14,7 @@ use crate::problem::Problem;
 /// Locates events on the continuous output.
 pub(super) struct LastStep;
 
-/// The crate's defaults, but for the steps' lengths and the output.
+/// Returns the crate's defaults, except step lengths and output.
 fn stepper<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
     flight: Flight<'_, N, G, M, P>,
     (from, start): (f64, SVector<f64, M>),
@@ -50,13 +50,13 @@ impl Solver for LastStep {
     ) -> impl Fn(f64) -> [f64; N] {
         let mut stepper = stepper(flight, from, until, until - from.0, tolerance);
         let mut output = ContinuousOutputModel::new();
-        // It was good once: the same step from the same state is good again.
+        // The same step from the same state succeeded before.
         let _ = stepper.integrate_with_continuous_output_model(&mut output);
         move |t| output.evaluate(t.min(until)).map_or([f64::NAN; N], |y| state(&y))
     }
 }
 
-/// As in the crate's example: the first dense point beyond a guard is the event.
+/// Runs as the crate's example: the first dense point beyond a guard is the event.
 pub(super) fn on_a_grid<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     t_end: f64,

@@ -1,5 +1,5 @@
-//! Events around a solver that has none: integrate until a guard has fallen, do the last
-//! step again to find where, begin anew.
+//! Events around a solver that has none: integrate until a guard has fallen, repeat the last
+//! step to locate the event, and restart.
 
 use std::cell::Cell;
 
@@ -11,7 +11,7 @@ use crate::log::Log;
 use crate::peers::handwritten::falling;
 use crate::problem::Problem;
 
-/// The solver's part.
+/// A solver of the crate.
 pub(super) trait Solver {
     /// Integrates with sparse output from `from` to `until` (s), or until a guard falls.
     fn integrate<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
@@ -22,7 +22,7 @@ pub(super) trait Solver {
         tolerance: f64,
     ) -> (Result<Stats, IntegrationError>, SolverResult<f64, SVector<f64, M>>);
 
-    /// A continuous solution over the one step from `from` to `until` (s).
+    /// Returns a continuous solution over the one step from `from` to `until` (s).
     fn over_step<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
         flight: Flight<'_, N, G, M, P>,
         from: (f64, SVector<f64, M>),
@@ -75,13 +75,13 @@ pub(super) fn run<const N: usize, const G: usize, const M: usize, P: Problem<N, 
     Ok(())
 }
 
-/// Takes wanted states until `t` from a step that is done again only if there are any.
+/// Records wanted states until `t`; repeats the step only if there are any.
 fn sample<const N: usize, F: Fn(f64) -> [f64; N]>(log: &mut Log, t: f64, step: impl Fn() -> F) {
     let mut at = None;
     log.sample(t, |time| at.get_or_insert_with(&step)(time));
 }
 
-/// The first guard that falls through zero, and where in the step.
+/// Returns the first guard that falls through zero, and the part of the step before it.
 fn earliest<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     mode: P::Mode,

@@ -1,4 +1,4 @@
-//! A problem in one mode, as the crate wants it; stops when a guard has fallen through zero.
+//! A problem in one mode behind the crate's trait; stops when a guard has fallen through zero.
 
 use std::cell::Cell;
 
@@ -6,10 +6,10 @@ use ode_solvers::{SVector, System};
 
 use crate::problem::{Problem, armed};
 
-/// One mode of a problem; with M = N + 1 states the last one is the time.
+/// One mode of a problem; with M = N + 1 states the last state is the time.
 #[derive(Clone, Copy)]
 pub(super) struct Flight<'a, const N: usize, const G: usize, const M: usize, P: Problem<N, G>> {
-    /// Counts evaluations: the crate does not count those of the event search.
+    /// Number of evaluations: the crate does not count those of the event search.
     pub(super) count: &'a Cell<u64>,
     pub(super) problem: P,
     pub(super) mode: P::Mode,
@@ -21,8 +21,7 @@ impl<'a, const N: usize, const G: usize, const M: usize, P: Problem<N, G>> Fligh
         Self { count, problem, mode, watched: armed(&problem, mode, x) }
     }
 
-    /// Which guards have fallen through zero at `x`; those that are positive are watched
-    /// from now on.
+    /// Marks the guards that have fallen through zero at `x`, and starts to watch positive ones.
     pub(super) fn fallen(&mut self, x: &[f64; N]) -> [bool; G] {
         let guards = self.problem.guards(self.mode, x);
         std::array::from_fn(|i| {
@@ -54,13 +53,11 @@ impl<const N: usize, const G: usize, const M: usize, P: Problem<N, G>> System<f6
     }
 }
 
-/// The problem's own states.
 #[inline]
 pub(super) fn state<const N: usize, const M: usize>(y: &SVector<f64, M>) -> [f64; N] {
     std::array::from_fn(|i| y[i])
 }
 
-/// The crate's vector of state `x` at time `t`.
 #[inline]
 pub(super) fn vector<const N: usize, const M: usize>(t: f64, x: &[f64; N]) -> SVector<f64, M> {
     SVector::from_fn(|i, _| if i < N { x[i] } else { t })

@@ -1,14 +1,14 @@
-//! The crate `ode_solvers`: Dopri5 and Dop853, which know no events.
+//! The crate `ode_solvers`: Dopri5 and Dop853, without events.
 //!
-//! Its documentation stops at an event through `System::solout`, which sees the ends of
-//! steps (or the points of a dense grid), and leaves the rest to the user. Here:
-//! - default: as in the crate's own example `bouncing_ball`: tolerances 1e-2 and 1e-6,
-//!   dense output every 10 ms, the first point beyond the guard is the event;
-//! - best: sparse output; the step in which a guard changes its sign is done again, and
-//!   the event located in it (Dopri5: on the crate's continuous output; Dop853, which has
-//!   none that can be asked: by Newton on the length of the step);
+//! Its documentation stops at an event through `System::solout`, which sees the ends of steps
+//! (or the points of a dense grid), and leaves the rest to the user. Here:
+//! - default: as in its example `bouncing_ball`: tolerances 1e-2 and 1e-6, dense output every
+//!   10 ms, the first point beyond the guard is the event;
+//! - best: sparse output; the step in which a guard changes its sign is repeated to locate the
+//!   event (Dopri5: on the crate's continuous output; Dop853 offers none: by Newton on the
+//!   length of the step);
 //! - Dop853 evaluates its last stage at the wrong time, see `probes`: a second sweep carries
-//!   the time as one state more, which hides that.
+//!   the time as an additional state, which hides that.
 
 mod dop853;
 mod dopri5;
@@ -24,7 +24,7 @@ use crate::problem::Problem;
 
 const CODE: &str = "ode_solvers";
 
-/// All rows; `M` is N + 1.
+/// Lists all rows; `M` is N + 1.
 pub(crate) fn entries<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
     problem: P,
     t_end: f64,
@@ -61,7 +61,7 @@ pub(crate) fn entries<const N: usize, const G: usize, const M: usize, P: Problem
     all
 }
 
-/// A run that does the step with an event again, with the method `S`.
+/// Returns a run that repeats the step with an event, with the method `S`.
 fn searched<
     const N: usize,
     const G: usize,

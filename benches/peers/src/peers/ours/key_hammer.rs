@@ -1,4 +1,4 @@
-//! Model B as a model of `pode`: equations, natures and bounds of guards, as its user would write it.
+//! Model B as a model of `pode`, as a user writes it: equations, natures, bounds of guards.
 
 use pode::math::{cos, sin_cos_of_two, sqrt};
 use pode::series::{Expansion, INPUT_TERMS};
@@ -18,22 +18,21 @@ const APART: [GuardSpec; 2] = [GuardSpec::new(1, "land").of_state(), STRING_SPEC
 /// A step of the fastest oscillation (rad).
 const RADIANS: f64 = 0.75;
 
-/// Key and hammer coupled by springs or apart. State: θh, θk (rad), θh', θk' (rad/s). Input: the
-/// manipulandum's angle (rad).
+/// Key and hammer, coupled by springs or apart. State: θh, θk (rad), θh', θk' (rad/s). Input:
+/// the manipulandum's angle (rad).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KeyHammer {
     /// L1, L3, L4 (m), the angular accelerations of the weights of hammer and key (rad/s²),
-    /// k2/JH, k2/JK, k1/JK, 0 for a damper, and the string's angle (rad): as the series needs them.
+    /// k2/JH, k2/JK, k1/JK, 0 for a damper, and the string's angle (rad), in the series' order.
     constants: [f64; 10],
     restitution: f64,
-    /// Hammer and key, which move apart in B2.
+    /// Entries of hammer and key, which move apart in B2.
     apart: [Part; 2],
     /// Fastest rates in B1 and in B2 (rad/s).
     rates: [f64; 2],
 }
 
 impl KeyHammer {
-    /// The model with the problem's parameters.
     pub(crate) fn new(problem: &ModelB) -> Self {
         let ModelB { l: [l1, _, l3, l4], weights, k: [k1, k2], j: [jk, jh], string, .. } = *problem;
         let contact = k2 * (l1 * l1 / jk + (l1 - l3) * (l1 - l3) / jh);
@@ -65,14 +64,14 @@ impl KeyHammer {
         }
     }
 
-    /// θh'' and θk'' without the contact (rad/s²).
+    /// Returns θh'' and θk'' without the contact (rad/s²).
     #[inline]
     fn free(&self, x: &[f64; 4], s: &Motion, [cos_h, cos_k]: [f64; 2]) -> [f64; 2] {
         let [_, _, _, hammer, key, _, _, coupling, ..] = self.constants;
         [-hammer * cos_h, coupling * (s.position - x[1]) - key * cos_k]
     }
 
-    /// The gap −q4 cos δ and its rate.
+    /// Returns the gap −q4 cos δ and its rate.
     #[inline]
     fn gap(&self, x: &[f64; 4]) -> GuardValue {
         let [l1, l3, l4, ..] = self.constants;
@@ -154,10 +153,10 @@ impl Guarded for KeyHammer {
         }
     }
 
-    /// Hammer and key go together, and the gap's slopes are small where they do:
-    /// ∂/∂θh = (L1 − L3) cos θh − L4 sin θh + L1 (cos δ − cos θh), of which the last is at most
-    /// L1 |θk| (|θh| + |θk|/2). As for ∂²/∂θh², which holds L1 sin δ + L3 sin θh: sin δ + sin θh
-    /// is at most |θk|. All others are L1 sin δ.
+    /// Hammer and key move together, and the gap's slopes are small where they do:
+    /// ∂/∂θh = (L1 − L3) cos θh − L4 sin θh + L1 (cos δ − cos θh); the last term is at most
+    /// L1 |θk| (|θh| + |θk|/2). ∂²/∂θh² contains L1 sin δ + L3 sin θh, and sin δ + sin θh is at
+    /// most |θk|. All other slopes are L1 sin δ.
     #[expect(clippy::inline_always, reason = "asked for in every step, of every guard")]
     #[inline(always)]
     fn guard_bound(
@@ -201,7 +200,7 @@ impl Guarded for KeyHammer {
 }
 
 impl Resets for KeyHammer {
-    /// Release and landing keep the state; the string turns the hammer round.
+    /// Release and landing keep the state; the string reverses the hammer.
     fn reset(&self, mode: Mode, guard: GuardId, x: &[f64; 4], _s: &Motion) -> Reset<Self> {
         if guard == STRING {
             let state = [self.constants[9], x[1], -self.restitution * x[2], x[3]];

@@ -1,8 +1,8 @@
-//! Our own: `pode` with models written out for it, as its user would write them.
+//! `pode` with models written for it, as a user writes them.
 //!
 //! **To add a method**: a line in [`by_tick`] if its step is the tick or a part of it, in
-//! [`by_tolerance`] if it chooses its steps itself and the tick is the whole run. One with a
-//! loop of its own: a file beside this one and a line in [`entries`]. Nothing else changes.
+//! [`by_tolerance`] if it chooses its steps and the tick is the whole run. A method with its own
+//! loop: a file in this folder and a line in [`entries`].
 
 mod key_hammer;
 mod series;
@@ -21,23 +21,21 @@ use crate::entry::{Entry, Run, STEPS, Setting, tolerances};
 
 const CODE: &str = "pode";
 
-/// A model of ours on a problem: what the peers get as equations.
+/// A model of `pode` on a problem; the peers receive the same equations.
 #[derive(Clone, Copy)]
 pub(crate) struct Ours<M: Model, I> {
-    /// The model, with the problem's parameters; its guards have the reference's names.
+    /// Model with the problem's parameters; its guards have the reference's names.
     pub(crate) model: M,
-    /// The input at t (s).
     pub(crate) input: I,
-    /// Mode and state at the start.
     pub(crate) start: (M::Mode, M::State),
 }
 
-/// What drives a model, at any time.
+/// Input of a model as a function of time.
 pub(crate) trait Driven<T> {
-    /// The input at `t` (s).
+    /// Returns the input at `t` (s).
     fn at(&self, t: f64) -> T;
 
-    /// Writes its power series in units of `dt` (s); `false` where it has none.
+    /// Writes the power series in units of `dt` (s); returns `false` if there is none.
     fn series(&self, _t: f64, _dt: f64, _out: &mut [T]) -> bool {
         false
     }
@@ -50,7 +48,7 @@ impl<T, F: Fn(f64) -> T> Driven<T> for F {
     }
 }
 
-/// Rows of a model that knows its Taylor series, as its input does.
+/// Returns the rows of a model and an input with Taylor series.
 pub(crate) fn expanded<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
@@ -67,7 +65,6 @@ where
     tolerances(15).map(row).collect()
 }
 
-/// All rows.
 pub(crate) fn entries<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
@@ -82,7 +79,7 @@ where
     ticks.chain(tolerances).chain(whole).collect()
 }
 
-/// Ticks of `h` (s), as a key runs; at 1 ms this is the default.
+/// Runs in ticks of `h` (s), as a key does; 1 ms is the default.
 fn by_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
@@ -109,7 +106,7 @@ where
     rows
 }
 
-/// One tick from the start to the end, with steps as long as `tolerance` allows.
+/// Runs in one tick from start to end, with steps as long as `tolerance` allows.
 fn by_tolerance<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, tolerance: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
@@ -126,8 +123,8 @@ where
     }]
 }
 
-/// One tick from the start to the end: with the exact flow where a mode is linear, and with
-/// RK4, which is exact on parabolas.
+/// Runs in one tick from start to end: with the exact flow where a mode is linear, and with RK4,
+/// which is exact on parabolas.
 fn one_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> [Entry; 2]
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
@@ -148,7 +145,7 @@ where
     [entry("exact flow", note, exact), entry("RK4", longest, rk4)]
 }
 
-/// Offline nothing has a deadline.
+/// Returns limits without a deadline.
 fn offline() -> Limits {
     Limits {
         events: u32::MAX,
@@ -159,7 +156,7 @@ fn offline() -> Limits {
     }
 }
 
-/// A run with `stepper` in ticks of `h` (s).
+/// Returns a run with `stepper` in ticks of `h` (s).
 fn run<const N: usize, M, I, T>(
     ours: Ours<M, I>,
     stepper: T,

@@ -1,4 +1,4 @@
-//! Taylor series of model B, which a program made from its equations; a test holds it against them.
+//! Taylor series of model B, generated from its equations; a test compares the two.
 
 #![expect(clippy::pedantic, reason = "generated")]
 

@@ -25,7 +25,7 @@ impl<T, I: Driven<T>> Signal<T> for OfTick<'_, I> {
     }
 }
 
-/// Writes events into the log, and wanted states if it looks `INSIDE` the steps.
+/// Writes events into the log, and with `INSIDE` the wanted states inside the steps.
 struct Scribe<'a, const INSIDE: bool> {
     log: &'a mut Log,
     h: f64,
@@ -79,7 +79,7 @@ where
     }
 }
 
-/// The same, looking inside the steps or not; nobody needs the force, as with the peers.
+/// Like [`run`], with states inside the steps if `INSIDE`; like the peers it computes no force.
 fn follow<const INSIDE: bool, const N: usize, M, I, T>(
     ours: &Ours<M, I>,
     (stepper, limits): (T, Limits),

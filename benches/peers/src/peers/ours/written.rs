@@ -10,19 +10,18 @@ use pode::{
 use crate::problem::Problem;
 use crate::problems::{Ball, Block, Cradle};
 
-/// The problem, as our traits ask for it; autonomous.
+/// The problem behind the traits of `pode`; autonomous.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Written<P, const N: usize, const G: usize>(pub(crate) P);
 
-/// What a model says of its guards before it runs.
+/// Static description of a model's guards.
 pub(crate) trait Specified {
-    /// Contact configuration.
     type Mode;
 
-    /// The guards of a mode, by their place in [`Problem::guards`].
+    /// Returns the guards of a mode, in the order of [`Problem::guards`].
     fn specs(mode: Self::Mode) -> &'static [GuardSpec];
 
-    /// Entry of the state that is the only guard of every mode, if one is.
+    /// Entry of the state that is the only guard of every mode, if any.
     const GUARD: Option<usize> = None;
 }
 
