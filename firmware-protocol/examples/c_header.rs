@@ -5,8 +5,7 @@
 //! cargo run -p firmware-protocol --example c_header
 //! ```
 //!
-//! What is a list here is a list there; what is code here is written by hand there, and held
-//! to this by the vectors.
+//! Lists are generated. Code is written by hand in C, and the vectors hold it to this crate.
 #![expect(clippy::disallowed_macros, reason = "text is made at the edge")]
 
 use core::fmt::{Debug, Display, Write as _};
@@ -44,7 +43,7 @@ const TOP: &str = "\
 #include <string.h>
 ";
 
-/// How numbers are read and written: the same for little- and big-endian machines.
+/// Reading and writing of numbers, the same for little- and big-endian machines.
 const SCALARS: &str = "
 /* Little-endian numbers, byte by byte. */
 static inline void letoff_put(uint8_t *bytes, uint64_t value, size_t len)
@@ -72,7 +71,6 @@ static inline int32_t letoff_signed(uint64_t value, unsigned bits)
 }
 ";
 
-/// The whole header.
 pub(crate) fn header() -> String {
     let parts = [
         TOP.to_owned(),
@@ -228,7 +226,7 @@ fn key_health(text: &mut String) {
     signed(text, "NOT_MEASURED", NOT_MEASURED.into());
 }
 
-/// The entries of the list of operations, for macros.
+/// Returns the entries of the list of operations, for macros.
 fn operations() -> Vec<String> {
     let entry = |operation: Operation| {
         let (name, entry) = (screaming(&format!("{operation:?}")), operation.entry());
@@ -238,7 +236,6 @@ fn operations() -> Vec<String> {
     Operation::ALL.map(entry).into()
 }
 
-/// The records of all operations, in their order.
 pub(crate) fn layouts() -> Vec<RecordLayout> {
     let entries = Operation::ALL.map(Operation::entry);
     let all = entries.into_iter().flat_map(|it| [it.request, it.answer]);
@@ -247,7 +244,7 @@ pub(crate) fn layouts() -> Vec<RecordLayout> {
     all.iter().enumerate().filter(is_first).map(|(_, it)| *it).collect()
 }
 
-/// One record: its places, its fields as a list for macros, a struct, and how it travels.
+/// Writes one record: offsets, fields as a list for macros, a struct, encoder and decoder.
 fn record(layout: RecordLayout) -> String {
     let name = &snake(layout.name);
     let mut text = title(name);
@@ -314,7 +311,7 @@ fn put(field: &RecordField, at: usize) -> String {
     if is_array(field) {
         return format!("memcpy(bytes + {at}, record->{name}, {len});");
     }
-    // A negative number becomes its two's complement on the way to unsigned, by the standard.
+    // The C standard converts a negative number to its two's complement.
     let value = if c_type.starts_with("int") { "(uint64_t)" } else { "" };
     format!("letoff_put(bytes + {at}, {value}record->{name}, {len});")
 }
@@ -354,14 +351,13 @@ fn numbers<T: Debug>(text: &mut String, prefix: &str, all: impl IntoIterator<Ite
     }
 }
 
-/// `KeyForces` as `KEY_FORCES`.
 pub(crate) fn screaming(name: &str) -> String {
     let mut screaming = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !screaming.is_empty() {
             screaming.push('_');
         }
-        // A letter in upper case may be several.
+        // The upper case of a letter may have several letters.
         let _never_fails = write!(screaming, "{}", letter.to_uppercase());
     }
     screaming
@@ -371,7 +367,7 @@ fn snake(name: &str) -> String {
     screaming(name).to_lowercase()
 }
 
-/// PROTOCOL.md with the tables of operations and records of this crate in place of those in `old`.
+/// Returns `old`, PROTOCOL.md, with this crate's tables of operations and records.
 pub(crate) fn document(old: &str) -> String {
     let rows = Operation::ALL.map(|operation| {
         let entry = operation.entry();
@@ -400,7 +396,7 @@ fn record_table(layout: RecordLayout) -> String {
         let kind = kind.replace("[]", &format!("[{len}]"));
         let meaning = meaning.trim().trim_end_matches('.').replace('(', "[").replace(')', "]");
         let meaning = match meaning.split_at_checked(1) {
-            // An abbreviation, as CRC, keeps its capitals.
+            // An abbreviation such as CRC keeps its capitals.
             Some((first, rest)) if rest.starts_with(|it: char| !it.is_uppercase()) => {
                 first.to_lowercase() + rest
             }
@@ -412,7 +408,7 @@ fn record_table(layout: RecordLayout) -> String {
     table
 }
 
-/// `text` with `table` below its heading `title`; a new heading comes behind all records.
+/// Puts `table` below the heading `title` of `text`; a new heading follows all records.
 fn with_table(text: &str, title: &str, table: &str) -> String {
     let heading = format!("#### {title}\n\n");
     let behind_records = "## The states of a board\n";

@@ -1,4 +1,4 @@
-//! Tells the linker where things lie, and writes the list of vectors.
+//! Passes the memory layout to the linker, and writes the list of vectors.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ fn main() {
     std::fs::write(out.join("vectors.rs"), list(&folder)).expect("OUT_DIR can be written");
 }
 
-/// All vectors, as a Rust array of names and texts.
+/// Returns all vectors as a Rust array of names and texts.
 fn list(folder: &Path) -> String {
     let files = std::fs::read_dir(folder).expect("the folder of vectors");
     let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();

@@ -1,5 +1,4 @@
-//! Whatever arrives, nothing panics, nothing false is taken for true, and what was sent
-//! comes back.
+//! Arbitrary bytes: no panic, no damaged frame is accepted, and sent frames come back.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(
     clippy::disallowed_macros,
@@ -29,7 +28,7 @@ use proptest::array::uniform4;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-/// The bit of the first byte that only some kinds have; elsewhere a newer minor version may.
+/// Bit of the first byte that only some kinds have; a newer minor version may set it elsewhere.
 const FLAG: u8 = 0b0001_0000;
 
 fn any_board() -> impl Strategy<Value = BoardId> {
@@ -47,7 +46,7 @@ fn any_header() -> impl Strategy<Value = Header> {
     )
 }
 
-/// Bytes that are often a frame but for a little: a kind, then mostly zeros or anything.
+/// Generates bytes that are almost a frame: a kind, then mostly zeros or anything.
 fn near_frames() -> impl Strategy<Value = Vec<u8>> {
     let anything = vec(any::<u8>(), 0..80);
     let sparse = vec(prop_oneof![4 => Just(0), 1 => any::<u8>()], 0..80);
@@ -209,7 +208,7 @@ proptest! {
         }
         let mut whole = Vec::new();
         for (piece, len) in pieces::cut(&frame, roll) {
-            // The first piece may say that it interrupts what the noise had begun.
+            // The first piece may report that it interrupts the frame that the noise began.
             whole.extend(assembler.push(&piece[..len]).unwrap_or_default().map(<[u8]>::to_vec));
         }
         prop_assert_eq!(whole, vec![frame]);
@@ -227,7 +226,7 @@ fn each_flipped_bit_costs_at_most_its_frame_and_the_next() {
         let mut frames = read(&mut deframer, &bad);
         frames.extend(read(&mut deframer, &good));
         assert!(frames.contains(&Err(())), "bit {bit} went unnoticed");
-        // The flip may have taken the closing zero, and with it the frame behind.
+        // The flip may have hit the closing zero, and with it the next frame.
         let accepted: Vec<_> = frames.into_iter().flatten().collect();
         assert!(accepted.len() <= 1, "bit {bit}: the damaged frame was accepted");
         assert!(accepted.iter().all(|accepted| *accepted == frame), "bit {bit}: a false frame");
@@ -235,7 +234,7 @@ fn each_flipped_bit_costs_at_most_its_frame_and_the_next() {
     }
 }
 
-/// A frame of eleven keys with zeros in it, so that flips meet the stuffing as well.
+/// Returns a frame of eleven keys with zeros in it, so that flips hit the stuffing as well.
 fn golden() -> Vec<u8> {
     let board = BoardId::new(5).expect("a board");
     let header = Header { board, sequence: SequenceNumber(77), stamp_us: 40_000, flag: false };
@@ -252,7 +251,6 @@ fn wire(frame: &[u8]) -> Vec<u8> {
     wire[..n].to_vec()
 }
 
-/// Everything that comes out for `bytes`.
 fn read(deframer: &mut Deframer, bytes: &[u8]) -> Vec<Result<Vec<u8>, ()>> {
     let mut frames = Vec::new();
     for byte in bytes {

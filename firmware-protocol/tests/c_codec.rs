@@ -1,4 +1,4 @@
-//! The C codec is held to the same vectors, and to this crate frame by frame.
+//! The C codec, against the golden vectors and against this crate frame by frame.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_macros, reason = "tests run on the host")]
 
@@ -23,7 +23,7 @@ use firmware_protocol::serial::{self, Deframer, FramingError};
 use crate::random::Random;
 use crate::tools::{STRICT, are_there, crate_root, run, say, scratch};
 
-/// Frames that are made for a comparison.
+/// Number of random frames to compare.
 const FRAMES: usize = 8_000;
 
 #[test]
@@ -79,7 +79,7 @@ fn the_c_assembler_finds_what_the_rust_does_in_any_pieces() {
         kept.iter().map(near).collect::<Vec<_>>()
     });
     let line = |pieces: Vec<Vec<u8>>| {
-        // A space behind each, so that an empty one is seen.
+        // A space after each piece makes an empty one visible.
         let words: Vec<_> = pieces.iter().map(|piece| hex(piece) + " ").collect();
         (format!("p {}", words.concat()), pieces_line(&pieces))
     };
@@ -108,7 +108,7 @@ fn the_parts_of_the_firmware_without_hardware_do_what_they_say() {
     assert!(output.status.success(), "{said}");
 }
 
-/// Builds a C test with every check that the compiler has; nothing if there is no compiler.
+/// Builds a C test with all checks of the compiler; `None` without a compiler.
 fn build(name: &str, parts: &[&str]) -> Option<PathBuf> {
     if !are_there(&["gcc"]) {
         return None;
@@ -123,7 +123,7 @@ fn build(name: &str, parts: &[&str]) -> Option<PathBuf> {
     Some(program)
 }
 
-/// Asserts that the C says of each first line what the second one is.
+/// Asserts that the C program answers each first line with the second.
 #[track_caller]
 fn compare(lines: &Vec<(String, String)>) {
     static PROGRAM: OnceLock<Option<PathBuf>> = OnceLock::new();

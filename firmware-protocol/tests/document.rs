@@ -1,4 +1,4 @@
-//! PROTOCOL.md says what the code does: its tables are those of the C header, which is made from
+//! PROTOCOL.md against the code: its tables are those of the C header, which is generated from
 //! the code, and its examples are golden vectors.
 
 use std::collections::BTreeMap;
@@ -9,7 +9,6 @@ use firmware_protocol::version::PROTOCOL_VERSION;
 
 use crate::c_header::{header, screaming};
 
-/// The cells of a table's rows.
 type Rows = Vec<Vec<String>>;
 
 fn document() -> String {
@@ -17,7 +16,6 @@ fn document() -> String {
     std::fs::read_to_string(path).expect("the document")
 }
 
-/// The first table below the heading `title`.
 #[track_caller]
 fn table(title: &str) -> Rows {
     let document = document();
@@ -31,7 +29,7 @@ fn table(title: &str) -> Rows {
     rows.skip(2).map(cells).collect()
 }
 
-/// The numbers of the C header whose names begin with `prefix`.
+/// Returns the numbers of the C header whose names begin with `prefix`.
 fn defined(prefix: &str) -> BTreeMap<String, String> {
     let start = format!("#define LETOFF_{prefix}");
     let header = header();
@@ -42,7 +40,7 @@ fn defined(prefix: &str) -> BTreeMap<String, String> {
     numbers.collect()
 }
 
-/// Asserts that a table whose first columns are number and name has what the header has.
+/// Asserts that a table, with number and name as its first columns, agrees with the header.
 #[track_caller]
 fn check(title: &str, prefix: &str, beside: &[&str]) {
     let said: BTreeMap<_, _> =

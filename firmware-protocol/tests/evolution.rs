@@ -1,4 +1,4 @@
-//! What a version may add without harm, and what it may not change.
+//! Changes that a version may make without harm, and those that it may not.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use firmware_protocol::acyclic::ping::Pong;

@@ -1,4 +1,4 @@
-//! The reference firmware keeps the protocol: run on an emulated Cortex-M3, over a real link.
+//! The reference firmware against the protocol: on an emulated Cortex-M3, over a real link.
 #![cfg(unix)]
 #![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_macros, clippy::disallowed_methods, reason = "tests run on the host")]
@@ -31,7 +31,7 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record as _, schema};
 use random::Random;
 use tools::say;
 
-/// Where the key lies on its felt with no force and with 2 N down (um): 10.16 mm, and 33 um.
+/// Rest positions of the key on its felt (um): 10.16 mm without force, 28 um deeper with 2 N.
 const BOTTOM: i32 = 10_160;
 const PRESSED: i32 = BOTTOM + 28;
 
@@ -42,7 +42,7 @@ fn a_board_says_who_it_is_and_answers_a_request_once() {
     assert_eq!((hello.schema, hello.first_key, hello.n_keys), (schema::HASH, 11 * BOARD, 11));
     assert_eq!(hello.safe_reason, safe_reason::NEVER_ARMED);
     assert_ne!(hello.features & feature::FINGERS, 0);
-    // The same number is the same request: no new nonce. Another one is another.
+    // The same number is the same request, without a new nonce.
     let nonce = |board: &mut Board, id| {
         let (_done, record) = board.ask_with_id(id, Operation::Disarm, &Nothing);
         Disarmed::take(&record).unwrap().nonce
@@ -56,7 +56,6 @@ fn a_board_says_who_it_is_and_answers_a_request_once() {
     assert_eq!(board.ask(Operation::ReadLog, &ReadLog { line: 999 }).0, Status::BadValue);
 }
 
-/// Asserts that an operation of a newer version is answered as unknown.
 #[track_caller]
 fn check_unknown(board: &mut Board) {
     let mut bytes = [0; MAX_FRAME];
@@ -83,7 +82,7 @@ fn samples_come_at_their_rate_without_a_gap() {
         let wall = start.elapsed().as_secs_f64();
         let mean = f64::from(board_us) / f64::from(frames);
         say(&format!("{hz} Hz asked: {:.0} Hz came, {mean:.0} us apart", f64::from(frames) / wall));
-        // A board that was not let run leaves some out, and only then.
+        // A board without processor time leaves samples out, but adds none.
         assert!((0.99..1.5).contains(&(mean / f64::from(period_us))), "{mean} us apart");
     }
     assert_eq!(board.counters().unsent, 0);
@@ -139,20 +138,20 @@ fn forces_move_the_key_and_their_silence_lets_it_go_for_good() {
     assert!((position(&pressed) - PRESSED).abs() < 5, "2 N press the felt: {pressed:?}");
     assert!(!pressed.header.flag);
     check_silence(&mut board, &pressed);
-    // Latched: answers are of no use any more.
+    // Latched: answers have no effect.
     let last = board.hold(50, 2_000);
     assert!(position(&last).abs() < 5 && last.header.flag, "{last:?}");
     let introduction = board.introduction();
     assert_eq!((introduction.safe, introduction.hello.safe_reason), (true, safe_reason::SILENCE));
     assert_eq!(board.counters().trips, 1);
-    // Until it is disarmed and armed.
+    // Disarming and arming releases it.
     board.skip();
     board.arm(ForcePacking::Force16);
     let up = board.hold(100, 2_000);
     assert!((position(&up) + 33).abs() < 5 && !up.header.flag, "{up:?}");
 }
 
-/// Answers no more, and asserts that the force is there until it expires and gone soon after.
+/// Stops answering, and asserts that the force lasts until it expires and ends soon after.
 #[track_caller]
 fn check_silence(board: &mut Board, answered: &KeySamples) {
     board.answer(answered, -2_000);
@@ -165,7 +164,7 @@ fn check_silence(board: &mut Board, answered: &KeySamples) {
         age = since(&samples);
         assert!(98_000 <= age || (position(&samples) - PRESSED).abs() < 5, "gone at {age} us");
     }
-    // Time on the wire has 16 bits: another 100 ms go past 65 ms and are counted in frames.
+    // Time on the wire has 16 bits: another 100 ms exceed 65 ms, so count frames.
     let frames = (0..15).map(|_| board.samples()).collect::<Vec<_>>();
     let (still, gone) = (&frames[7], &frames[14]);
     assert!((position(still) - PRESSED).abs() < 5, "gone early: {still:?}");
@@ -186,7 +185,6 @@ fn an_emergency_stop_takes_every_force_away() {
     assert!(position(&last).abs() < 5 && last.header.flag, "{last:?}");
     assert_eq!(board.introduction().hello.safe_reason, safe_reason::EMERGENCY_STOP);
     assert_eq!(board.counters().trips, 0);
-    // No request brings it back.
     assert_eq!(board.ask(Operation::Disarm, &Nothing).0, Status::WrongState);
     assert_eq!(board.introduction().hello.safe_reason, safe_reason::EMERGENCY_STOP);
 }
@@ -202,7 +200,7 @@ fn a_stale_answer_is_counted_and_never_rendered() {
     for _ in 0..50 {
         let new = board.newest_samples();
         board.answer(&new, 0);
-        // Older than what was answered; a time that is not its number's; a number of nobody.
+        // An old number; a time of another number; an unknown number.
         let mut false_time = new;
         false_time.header.stamp_us = new.header.stamp_us.wrapping_add(1);
         let mut false_number = new;
@@ -249,7 +247,7 @@ fn forces_for_all_boards_need_the_time_of_the_bus() {
     board.stream(4_000);
     board.arm(ForcePacking::Multicast16);
     let start = Instant::now();
-    // A bus as slow as its board, shortly before its clock wraps.
+    // A bus clock as slow as its board's, shortly before it wraps.
     let bus_us = || {
         let passed = u32::try_from(start.elapsed().as_micros()).unwrap() / SLOW;
         passed.wrapping_add(u32::MAX - 50_000)
@@ -271,7 +269,6 @@ fn forces_for_all_boards_need_the_time_of_the_bus() {
     }
 }
 
-/// Sends 2 N down to the first thirty keys, 2 N up to the next.
 fn send_groups(board: &mut Board, sequence: u8, bus_us: u32) {
     for (group, force) in [(0, -2_000), (1, 2_000)] {
         let [low, high, ..] = bus_us.to_le_bytes();
@@ -295,7 +292,7 @@ fn noise_is_counted_and_the_next_frame_is_read() {
     let len = encode_request(Board::id(), 0, Operation::Light, &Nothing, &mut bytes);
     let good = wire(&bytes[..len]);
     for _ in 0..40 {
-        // A flipped bit in one frame, one that is no zero and makes none; then noise, and a zero.
+        // A flipped bit in a byte that neither is nor becomes zero; then noise, and a zero.
         let mut bad = good.clone();
         bad[1] ^= 2;
         board.send_raw(&bad);
@@ -325,7 +322,6 @@ fn a_finger_presses_its_key_and_lets_it_go() {
     assert_eq!(board.ask(Operation::Finger, &Finger { slot: 11, ..struck }).0, Status::BadValue);
     board.skip();
     board.arm(ForcePacking::Force16);
-    // A weight of half a newton brings the key back up.
     let (mut deepest, mut other, mut fastest) = (0, 0, 0);
     let mut last = board.samples();
     let end = Instant::now() + Duration::from_mins(1);
@@ -336,12 +332,12 @@ fn a_finger_presses_its_key_and_lets_it_go() {
         other = other.max(last.positions.as_slice()[1].get());
         fastest = fastest.max(last.velocities.as_slice()[0].get());
         if last.header.flag {
-            // The machine was too busy for a host that is never silent.
+            // The busy machine made the host silent.
             board.arm(ForcePacking::Force16);
         }
     }
     assert!((BOTTOM + 10..BOTTOM + 500).contains(&deepest), "{deepest} um");
-    // 0.2 mm/s each: the key is struck at about half a metre per second.
+    // In units of 0.2 mm/s: the key is struck at about half a metre per second.
     assert!((1_000..8_000).contains(&fastest), "{fastest}");
     assert!(position(&last) < 20 && other < 20, "{last:?}");
 }

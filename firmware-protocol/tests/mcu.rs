@@ -1,4 +1,4 @@
-//! This crate runs on the microcontroller too, and meets the vectors there.
+//! This crate meets the vectors on the microcontroller too.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_macros, reason = "tests run on the host")]
 
@@ -38,7 +38,6 @@ fn has_target() -> bool {
     there
 }
 
-/// Builds the package for the microcontroller, in a folder of its own.
 fn build() -> PathBuf {
     let folder = scratch("mcu");
     let mut cargo = Command::new(env!("CARGO"));

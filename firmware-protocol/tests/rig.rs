@@ -1,4 +1,4 @@
-//! Each fault of the rig in `c/rig` does what its page says, seen from the wire and the report.
+//! Each fault of the rig in `c/rig` has its documented effect, on the wire and in the report.
 
 use std::collections::BTreeSet;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
@@ -26,14 +26,13 @@ use crate::rig_host::{
 };
 use crate::tools::{run, scratch};
 
-/// Key bottom (um).
 const BOTTOM: i32 = 10_160;
-/// Spring of the host (N/m).
+/// Spring constant of the host (N/m).
 const SPRING: f64 = 150.0;
-/// Time in which the script `mixed` plays each of its gestures (ms).
+/// Duration of each gesture of the script `mixed` (ms).
 const CYCLE: u32 = 6_000;
 
-/// A spring, and a damper of 2 N s/m.
+/// Renders a spring, and a damper of 2 N s/m.
 fn spring(samples: &KeySamples) -> [i32; KEYS] {
     let (positions, velocities) = (samples.positions.as_slice(), samples.velocities.as_slice());
     let speed = |slot: usize| i32::from(velocities[slot].get());
@@ -44,31 +43,31 @@ fn nothing(_: &KeySamples) -> [i32; KEYS] {
     [0; KEYS]
 }
 
-/// 2 N down on each key.
+/// Renders 2 N down on each key.
 fn down(_: &KeySamples) -> [i32; KEYS] {
     [-2_000; KEYS]
 }
 
-/// A rig with a fault, after a cycle of the script `mixed`.
+/// Returns a rig with a fault, after a cycle of the script `mixed`.
 fn played(fault: &str, law: Law) -> Option<Rig> {
     let mut rig = Rig::start(&["--fault", fault])?;
     rig.play(law, CYCLE);
     Some(rig)
 }
 
-/// A rig whose keys nobody touches and the host presses, 300 ms later.
+/// Returns a rig without fingers, 300 ms after the host began to press its keys.
 fn pressed(fault: &[&str]) -> Option<Rig> {
     let mut rig = Rig::start(&[&["--finger", "none"], fault].concat())?;
     rig.play(down, 300);
     Some(rig)
 }
 
-/// Place of the key in slot 0 in the newest samples (um).
+/// Returns the position of the key in slot 0 in the newest samples (um).
 fn place(rig: &Rig) -> i32 {
     first_key(&rig.samples().last().expect("samples").1).0
 }
 
-/// Samples that are missing, by their numbers.
+/// Counts missing samples by their numbers.
 fn missing(rig: &Rig) -> usize {
     let samples = rig.samples();
     let gap = |pair: &[(u64, KeySamples)]| {
@@ -146,7 +145,6 @@ fn a_killed_rig_leaves_a_report() {
     assert!((1.5..2.6).contains(&report.number("since_first_arm_s")));
 }
 
-/// The names in a table of faults.
 fn names(table: &[u8]) -> Vec<String> {
     let table = String::from_utf8_lossy(table);
     table.lines().filter_map(|line| line.split('`').nth(1)).map(str::to_owned).collect()
@@ -204,7 +202,7 @@ fn behind_a_terminal_hosts_come_and_go_until_the_rig_is_stopped() {
     assert_eq!(Report::read(&report).text("since_first_arm_s"), "null");
 }
 
-/// A rig in real time, which ends with its test.
+/// A rig in real time, killed with its test.
 struct Running(Child);
 
 impl Drop for Running {
@@ -214,7 +212,7 @@ impl Drop for Running {
     }
 }
 
-/// Opens a terminal, asks who is there, and waits for a hello.
+/// Opens a terminal, requests a hello, and waits for one.
 #[track_caller]
 fn check_hello(path: &Path) {
     let terminal = std::fs::OpenOptions::new().read(true).write(true).open(path);
@@ -278,7 +276,7 @@ fn latency_and_jitter_delay_bytes_both_ways() {
     assert!(ages.contains(&1_000) && ages.contains(&2_000), "{ages:?}");
 }
 
-/// Time from the reading of samples to their arrival (us), by the board's clock at power on.
+/// Returns the time from reading samples to their arrival (us), by the board's clock at power on.
 fn age_us((at_us, samples): &(u64, KeySamples)) -> u64 {
     let clock_us = at_us - START_US;
     (clock_us + 0x1_0000 - u64::from(samples.header.stamp_us)) % 0x1_0000
@@ -299,7 +297,7 @@ fn drop_and_dropdown_lose_their_share_of_the_frames() {
 fn corrupt_inverts_bits_both_ways() {
     let Some(rig) = played("corrupt", spring) else { return };
     let (corrupt, sent) = (rig.corrupt, rig.sent);
-    // 28 bytes with samples of four keys, 16 bytes with their forces; a bit of 2000 is inverted.
+    // 28 bytes with samples of four keys, 16 bytes with their forces; 1 bit in 2000 is inverted.
     let whole = |bytes: i32| (1.0_f64 - 5e-4).powi(8 * bytes);
     check_share(corrupt as f64, CYCLE.into(), 1.0 - whole(28));
     check_share(rig.end().number("forces"), sent as f64, whole(16));
@@ -406,7 +404,7 @@ fn slowmotor_follows_with_its_bandwidth() {
     };
     let (Some(honest), Some(slow)) = (risen(&[]), risen(&["--fault", "slowmotor"])) else { return };
     assert!((honest - 1.0).abs() < 0.01, "{honest}");
-    // 30 Hz is a time constant of 5.3 ms.
+    // 30 Hz corresponds to a time constant of 5.3 ms.
     assert!((0.4..0.75).contains(&slow), "{slow}");
 }
 
@@ -416,7 +414,7 @@ fn cogging_depends_on_the_place() {
     rig.play(nothing, 2_000);
     let report = rig.end();
     assert!((report.number("largest_force_n") - 0.15).abs() < 0.001);
-    // Over half of a period, 2/π of the amplitude: conservative, so never more.
+    // Over half of a period, 2/π of the amplitude: never more, since that is conservative.
     let most = 0.15 * 1.2 / std::f64::consts::PI;
     assert!((report.number("handed_out_mj") - most).abs() < 0.1 * most);
 }
@@ -436,15 +434,15 @@ fn mutelies_says_that_a_key_is_muted_and_renders_on() {
 
 // ---- Encoders. ----
 
-/// Positions and velocities of slot 0 in every frame, while the host renders nothing, so that the
-/// same finger moves the key along the same way whatever the encoder reads.
+/// Returns positions and velocities of slot 0 in every frame. The host renders nothing, so the
+/// finger moves the key along the same path for every encoder.
 fn readings(arguments: &[&str]) -> Option<Vec<(i32, i32)>> {
     let mut rig = Rig::start(arguments)?;
     rig.play(nothing, CYCLE);
     Some(rig.samples().iter().map(|(_, samples)| first_key(samples)).collect())
 }
 
-/// Pairs of readings of an honest encoder, and of one with `fault`.
+/// Pairs the readings of an honest encoder with those of one with `fault`.
 fn pairs(fault: &str) -> Option<Vec<[(i32, i32); 2]>> {
     let (honest, faulty) = (readings(&[])?, readings(&["--fault", fault])?);
     assert_eq!(honest.len(), faulty.len());
@@ -453,7 +451,7 @@ fn pairs(fault: &str) -> Option<Vec<[(i32, i32); 2]>> {
 
 #[test]
 fn an_encoder_that_is_turned_or_wrongly_scaled_reads_multiples_and_velocities_may_be_so_alone() {
-    // Factors of place and velocity, and their error: both are rounded on their own.
+    // Factors of position and velocity, and their error: both are rounded separately.
     for (fault, place, velocity, error) in [
         ("encsign", -1, -1, (2, 2)),
         ("scale", 2, 2, (2, 2)),
@@ -505,7 +503,6 @@ fn shift_slips_once_when_it_begins() {
 
 #[test]
 fn frozen_and_jumpy_stay_where_the_fault_began() {
-    // The finger moves the key 2.2 s after the start.
     let Some(frozen) = readings(&["--fault", "frozen", "--from", "2.2"]) else { return };
     let last = frozen[frozen.len() - 1];
     let begins = frozen.iter().position(|it| it.0 == last.0).expect("a place");
@@ -518,7 +515,7 @@ fn frozen_and_jumpy_stay_where_the_fault_began() {
 
 // ---- Health and power. ----
 
-/// Condition of the board, and of the key in slot 0.
+/// Returns the condition of the board, and of the key in slot 0.
 fn health(rig: &mut Rig) -> (BoardHealth, KeyHealth) {
     let board = rig.get(Operation::BoardHealth, &Nothing);
     (board, rig.get(Operation::KeyHealth, &ReadKeyHealth { slot: 0 }))
@@ -569,7 +566,6 @@ fn nothomed_is_reported() {
     assert_eq!(health(&mut rig).0.homed, 0b1110);
 }
 
-/// The longest time without samples (us).
 fn longest_silence(rig: &Rig) -> u64 {
     let samples = rig.samples();
     samples.windows(2).map(|pair| pair[1].0 - pair[0].0).max().expect("samples")
@@ -611,6 +607,6 @@ fn a_loop_that_hangs_lets_forces_expire_and_goes_on() {
     assert!(place(&rig).abs() <= 5, "friction holds the key at {} um", place(&rig));
     let report = rig.end();
     assert_eq!((report.text("trips"), report.text("restarts")), ("1", "0"));
-    // 1.5 s after the fault began the loop stops, and forces end 20 and 10 ms later.
+    // The loop stops 1.5 s after the fault began; forces end 20 and 10 ms later.
     assert!((report.number("last_force_s") - 1.53).abs() < 0.02);
 }

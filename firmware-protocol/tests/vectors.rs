@@ -1,4 +1,4 @@
-//! The golden bytes that firmware in any language must meet; made by another program.
+//! The golden bytes for firmware in any language, written by another program.
 #![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_macros, reason = "tests run on the host")]
 
@@ -52,7 +52,6 @@ fn the_vectors_are_what_their_program_makes() {
         return;
     }
     let program = crate::tools::crate_root().join("vectors/make.py");
-    // Only a check, which leaves nothing behind.
     crate::tools::run(std::process::Command::new("python3").arg("-B").arg(program).arg("--check"));
 }
 
@@ -213,19 +212,19 @@ fn reply_with<R: Record + Debug>(vector: &Vector) {
     check(vector, &bytes[..len], got, (board(vector), ids.0, ids.1, ids.2));
 }
 
-/// Asserts what a frame was read as, and that it was written as the vector has it.
+/// Asserts that a frame was decoded as expected, and encoded to the vector's bytes.
 #[track_caller]
 fn check<T: Copy + Debug + PartialEq>(vector: &Vector, bytes: &[u8], got: T, expected: T) {
     assert_eq!(got, expected, "{}", vector.name);
     assert_eq!(bytes, vector.frame(), "{}", vector.name);
 }
 
-/// Asserts that `record` has the fields of the vector behind `last`, by name and in order.
+/// Asserts that `record` has the vector's fields after `last`, by name and in order.
 #[track_caller]
 fn check_fields<R: Debug>(vector: &Vector, last: &str, record: &R) {
     let fields = vector.fields_after(last).map(|(name, value)| {
         let bytes = value.split_whitespace().collect::<Vec<_>>().join(", ");
-        // Bytes are shown as an array; there is no array of one.
+        // Bytes are printed as an array, but one number alone is never an array of one.
         let value = if value.contains(' ') { format!("[{bytes}]") } else { bytes };
         format!("{name}: {value}")
     });

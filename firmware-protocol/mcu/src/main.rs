@@ -1,4 +1,4 @@
-//! The protocol crate on a Cortex-M3: reads and writes every golden vector, and says how it went.
+//! The protocol crate on a Cortex-M3: reads, writes and reports every golden vector.
 //!
 //! ```text
 //! cargo run --release        in this folder, with qemu-system-arm
@@ -22,10 +22,10 @@ use firmware_protocol::frame::multicast_forces::MulticastForces;
 use firmware_protocol::serial::{self, Deframer};
 use vector::Vector;
 
-/// Each vector's name and text.
+/// Name and text of each vector.
 static VECTORS: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/vectors.rs"));
 
-/// What stands behind the initial stack pointer in the vector table: the start, and 14 faults.
+/// The vector table after the initial stack pointer: the start, and 14 faults.
 #[unsafe(link_section = ".vectors")]
 #[used]
 static EXCEPTIONS: [extern "C" fn() -> !; 15] = [
@@ -69,7 +69,7 @@ fn holds(vector: &Vector<'_>) -> bool {
         && can_holds(vector) == Some(true)
 }
 
-/// Whether the frame is read, and written again as it was.
+/// Returns `true` if the frame decodes, and encodes to its own bytes.
 fn frame_holds(vector: &Vector<'_>) -> Option<bool> {
     let frame = vector.frame();
     let mut again = [0xAA; MAX_FRAME];
@@ -120,7 +120,7 @@ fn reply_holds(vector: &Vector<'_>, reply: AcyclicReply<'_>) -> bool {
         && vector.number("status") == Some(reply.status as u8)
 }
 
-/// Whether the frame travels on a byte stream as the vector has it, and arrives.
+/// Returns `true` if the frame has the vector's bytes on a byte stream, and arrives.
 fn stream_holds(vector: &Vector<'_>) -> Option<bool> {
     let mut wire = [0; serial::MAX_WIRE];
     let len = serial::encode(vector.frame(), &mut wire).ok()?;
@@ -136,7 +136,7 @@ fn stream_holds(vector: &Vector<'_>) -> Option<bool> {
     Some(arrived && golden.len() == 2 * len)
 }
 
-/// Whether the frame travels on CAN as the vector has it, and arrives in pieces.
+/// Returns `true` if the frame has the vector's pieces on CAN, and arrives.
 fn can_holds(vector: &Vector<'_>) -> Option<bool> {
     let mut reassembler = Reassembler::default();
     let mut golden = vector.line("pieces")?.split(' ');

@@ -1,4 +1,4 @@
-//! Words to whoever debugs this machine: QEMU, or a probe.
+//! Output for a debugger: QEMU, or a probe.
 
 use core::arch::asm;
 
@@ -10,16 +10,14 @@ const EXIT_EXTENDED: usize = 0x20;
 const ENDED: usize = 0x2_0026;
 const FAULT: usize = 0x2_0023;
 
-/// Asks the debugger for `operation`.
 fn call(operation: usize, argument: usize) -> usize {
     let answer;
-    // SAFETY: the breakpoint with 0xAB is the debugger's, which reads and answers in r0; the
-    // blocks that `argument` points to live in the caller.
+    // SAFETY: the breakpoint with 0xAB belongs to the debugger, which reads, and answers in r0;
+    // the caller keeps the blocks alive that `argument` points to.
     unsafe { asm!("bkpt 0xAB", inlateout("r0") operation => answer, in("r1") argument) }
     answer
 }
 
-/// Writes to the debugger's standard output.
 pub fn write(text: &str) {
     // ":tt", opened for writing, is the console.
     let name = b":tt\0";
@@ -29,7 +27,6 @@ pub fn write(text: &str) {
     call(WRITE, block.as_ptr().expose_provenance());
 }
 
-/// Writes a number in decimal.
 pub fn write_number(number: usize) {
     let mut digits = [0; 10];
     let (mut at, mut rest) = (digits.len(), number);
@@ -41,7 +38,6 @@ pub fn write_number(number: usize) {
     write(core::str::from_utf8(&digits[at..]).unwrap_or_default());
 }
 
-/// Ends the machine.
 pub fn exit(good: bool) -> ! {
     let block = [if good { ENDED } else { FAULT }, usize::from(!good)];
     call(EXIT_EXTENDED, block.as_ptr().expose_provenance());

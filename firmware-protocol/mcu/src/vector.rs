@@ -4,7 +4,7 @@ use core::str::FromStr;
 
 use firmware_protocol::MAX_FRAME;
 
-/// One vector: its text, and the frame in it.
+/// A vector with its text.
 pub struct Vector<'a> {
     text: &'a str,
     frame: [u8; MAX_FRAME],
@@ -25,7 +25,7 @@ impl<'a> Vector<'a> {
         &self.frame[..self.len]
     }
 
-    /// What stands behind `name =`.
+    /// Returns the text after `name =`.
     pub fn line(&self, name: &str) -> Option<&'a str> {
         let value = |line: &'a str| line.strip_prefix(name)?.strip_prefix(" =");
         Some(self.text.lines().find_map(value)?.trim())
@@ -35,13 +35,12 @@ impl<'a> Vector<'a> {
         self.line(name)?.parse().ok()
     }
 
-    /// How many values stand there.
+    /// Counts the values after `name =`.
     pub fn count(&self, name: &str) -> Option<usize> {
         Some(self.line(name)?.split_whitespace().count())
     }
 }
 
-/// The byte that two hex digits are.
 pub fn byte(digits: &[u8]) -> Option<u8> {
     u8::from_str_radix(core::str::from_utf8(digits).ok()?, 16).ok()
 }

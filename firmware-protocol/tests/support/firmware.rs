@@ -25,22 +25,19 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 
 use super::tools::{STRICT, are_there, crate_root, run, say, scratch};
 
-/// The board that is built: not the first, so that numbers are seen to travel.
+/// Number of the board: not the first, so that the number must travel.
 pub(crate) const BOARD: u8 = 2;
-/// Its keys.
 pub(crate) const KEYS: usize = 11;
-/// How samples are packed.
 pub(crate) const PACKING: SamplePacking = SamplePacking::Position24Velocity;
-/// How long anything may take: the machine is busy with other things too.
+/// Timeout of every wait: the machine may be busy.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 const TOOLS: [&str; 3] = ["arm-none-eabi-gcc", "arm-none-eabi-size", "qemu-system-arm"];
-/// The processor's clock in QEMU.
 const CPU_HZ: u32 = 12_500_000;
-/// How much slower than ours a slow board's clock is.
+/// Factor by which a slow board's clock is slower than the host's.
 pub(crate) const SLOW: u32 = 4;
 
-/// The command that the README has, for board [`BOARD`]; its clock is `slow` times too slow.
+/// Runs the README's build command for board [`BOARD`], with a clock `slow` times too slow.
 fn build(slow: u32) -> PathBuf {
     let elf = scratch(&format!("board_{slow}_{}.elf", std::process::id()));
     let folder = crate_root().join("c/firmware");
@@ -64,7 +61,6 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// A running board, and the host's end of its link.
 pub(crate) struct Board {
     qemu: Child,
     stream: UnixStream,
@@ -81,15 +77,15 @@ impl Drop for Board {
 }
 
 impl Board {
-    /// Starts a board; nothing, said aloud, if the tools are missing.
+    /// Starts a board; prints a line and returns `None` if the tools are missing.
     pub(crate) fn start(name: &str) -> Option<Self> {
         static ELF: OnceLock<Option<PathBuf>> = OnceLock::new();
         let elf = ELF.get_or_init(|| are_there(&TOOLS).then(|| build(1))).as_ref()?;
         Some(Self::start_built(name, elf))
     }
 
-    /// Starts a board whose clock is [`SLOW`] times too slow: what it gives a host 100 ms for may
-    /// take 400, so that a busy machine is no silent host.
+    /// Starts a board with a clock [`SLOW`] times too slow: its 100 ms are 400 ms of the host, so that
+    /// a busy machine does not look like a silent host.
     pub(crate) fn start_slow(name: &str) -> Option<Self> {
         static ELF: OnceLock<Option<PathBuf>> = OnceLock::new();
         let elf = ELF.get_or_init(|| are_there(&TOOLS).then(|| build(SLOW))).as_ref()?;
@@ -97,7 +93,7 @@ impl Board {
     }
 
     fn start_built(name: &str, elf: &Path) -> Self {
-        // The path of a socket is short by law.
+        // The path of a socket must be short.
         let socket = std::env::temp_dir().join(format!("fw-{}-{name}", std::process::id()));
         let mut qemu = Command::new("qemu-system-arm");
         qemu.args(["-M", "lm3s6965evb", "-display", "none", "-monitor", "none", "-kernel"]);
@@ -117,7 +113,6 @@ impl Board {
         BoardId::new(BOARD).expect("a board")
     }
 
-    /// Sends bytes as they are.
     pub(crate) fn send_raw(&mut self, bytes: &[u8]) {
         self.stream.write_all(bytes).expect("the board reads");
     }
@@ -132,7 +127,7 @@ impl Board {
         self.send(&bytes[..len]);
     }
 
-    /// Reads what is there, for at most 2 ms.
+    /// Reads for at most 2 ms.
     fn poll(&mut self) {
         let mut bytes = [0; 4096];
         let n = match self.stream.read(&mut bytes) {
@@ -147,7 +142,7 @@ impl Board {
         }
     }
 
-    /// The next frame of `kind` that `wanted` takes; others of this kind are dropped.
+    /// Waits for a frame of `kind` that `wanted` accepts; drops others of this kind.
     fn next<T>(
         &mut self,
         kind: FrameKind,
@@ -169,13 +164,13 @@ impl Board {
         }
     }
 
-    /// The oldest frame of `kind` that has come.
+    /// Removes the oldest frame of `kind` that has arrived.
     fn take(&mut self, kind: FrameKind) -> Option<Vec<u8>> {
         let at = self.frames.iter().position(|frame| FrameKind::of(frame) == Some(kind))?;
         self.frames.remove(at)
     }
 
-    /// Asks who is there until the board says who it is.
+    /// Repeats the request for an introduction until the board answers.
     pub(crate) fn introduction(&mut self) -> Introduction {
         let end = Instant::now() + PATIENCE;
         while Instant::now() < end {
@@ -189,7 +184,7 @@ impl Board {
         panic!("the board never said hello");
     }
 
-    /// Sends a request with this number, and waits for the answer to it.
+    /// Sends a request with this number, and waits for its answer.
     pub(crate) fn ask_with_id<R: Record>(
         &mut self,
         id: u8,
@@ -218,13 +213,13 @@ impl Board {
         self.ask_with_id(self.next_id, operation, record)
     }
 
-    /// The next reply, whatever it says.
+    /// Returns the next reply, whatever its status.
     pub(crate) fn raw_reply(&mut self) -> Vec<u8> {
         let any = |frame: &[u8]| Some(frame.to_vec());
         self.next(FrameKind::Reply, PATIENCE, any).expect("a reply")
     }
 
-    /// Asks for something that is done, and answered with a record.
+    /// Sends a request that succeeds, and returns the record of its answer.
     pub(crate) fn get<R: Record, A: Record>(&mut self, operation: Operation, record: &R) -> A {
         let (status, record) = self.ask(operation, record);
         assert_eq!(status, Status::Done, "{operation:?}");
@@ -250,11 +245,11 @@ impl Board {
         self.ask(Operation::Arm, &arm).0
     }
 
-    /// Disarms and arms for as long as may be.
+    /// Disarms, and arms for the maximum time.
     pub(crate) fn arm(&mut self, packing: ForcePacking) {
         let nonce = self.disarm();
         assert_eq!(self.arm_with(nonce, packing, 100), Status::Done);
-        // Old samples would be answered too late.
+        // Answers to old samples would be late.
         self.frames.clear();
     }
 
@@ -264,7 +259,7 @@ impl Board {
         self.next(FrameKind::KeySamples, PATIENCE, read).expect("samples come")
     }
 
-    /// The newest samples: whoever answers has no use for older ones.
+    /// Returns the newest samples, and drops older ones.
     pub(crate) fn newest_samples(&mut self) -> KeySamples {
         let mut newest = self.samples();
         while self.frames.iter().any(|frame| FrameKind::of(frame) == Some(FrameKind::KeySamples)) {
@@ -273,13 +268,12 @@ impl Board {
         newest
     }
 
-    /// Drops what waits, so that the next samples are new.
+    /// Drops waiting frames, so that the next samples are new.
     pub(crate) fn skip(&mut self) {
         self.poll();
         self.frames.clear();
     }
 
-    /// Answers samples with the same force on every key.
     pub(crate) fn answer(&mut self, samples: &KeySamples, millinewtons: i32) {
         let forces = PerKey::collect([Millinewtons::saturating(millinewtons); KEYS]);
         self.answer_with(samples, forces, PerKey::default());
@@ -298,7 +292,6 @@ impl Board {
         self.send(&bytes[..len]);
     }
 
-    /// Answers `n` frames of samples with the same force; returns the last.
     pub(crate) fn hold(&mut self, n: usize, millinewtons: i32) -> KeySamples {
         let mut last = self.samples();
         for _ in 0..n {
@@ -315,7 +308,6 @@ pub(crate) fn wire(frame: &[u8]) -> Vec<u8> {
     wire[..len].to_vec()
 }
 
-/// The position of the first key (um).
 pub(crate) fn position(samples: &KeySamples) -> i32 {
     samples.positions.as_slice()[0].get()
 }

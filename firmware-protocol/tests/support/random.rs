@@ -1,4 +1,4 @@
-//! Numbers that look like chance and are the same every time.
+//! Reproducible random numbers.
 
 /// Weyl steps through an avalanche: G. Steele, D. Lea, C. Flood, "Fast Splittable Pseudorandom
 /// Number Generators", OOPSLA 2014.
@@ -24,7 +24,7 @@ impl Random {
         self.next().to_le_bytes()[7]
     }
 
-    /// Something like `bytes`: the same, flipped, cut, grown, padded, or nothing like it.
+    /// Returns `bytes` unchanged, flipped, cut, grown, padded, or random bytes.
     pub(crate) fn near(&mut self, bytes: &[u8], longest: usize) -> Vec<u8> {
         let mut near = bytes.to_vec();
         let len = self.below(longest + 1);

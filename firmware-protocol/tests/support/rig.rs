@@ -20,25 +20,23 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 
 use crate::tools::{STRICT, are_there, crate_root, run, scratch};
 
-/// Keys of the rig.
 pub(crate) const KEYS: usize = 4;
 /// Period of the samples and of the host (us).
 pub(crate) const TICK_US: u64 = 1_000;
 /// The host's time when the board is switched on (us).
 pub(crate) const START_US: u64 = 7_000_000;
-/// Ticks until a request is repeated, and until it counts as never answered.
+/// Ticks until a request is repeated, and until it counts as unanswered.
 const RETRY_TICKS: u32 = 60;
 const PATIENCE_TICKS: u32 = 600;
 
-/// Forces (mN) that answer samples, in the order of the slots.
+/// Answer to samples: forces (mN) in the order of the slots.
 pub(crate) type Law = fn(&KeySamples) -> [i32; KEYS];
 
-/// The rig's documentation.
 pub(crate) fn readme() -> String {
     std::fs::read_to_string(crate_root().join("c/rig/README.md")).expect("the rig's README")
 }
 
-/// Builds the rig with the command of its README and more `flags`; `None` without a compiler.
+/// Builds the rig with the command of its README and extra `flags`; `None` without a compiler.
 pub(crate) fn build(name: &str, flags: &str) -> Option<PathBuf> {
     if !are_there(&["gcc"]) {
         return None;
@@ -56,20 +54,20 @@ pub(crate) fn build(name: &str, flags: &str) -> Option<PathBuf> {
     Some(program)
 }
 
-/// The rig, built once; `None` without a compiler.
+/// Returns the rig, built once; `None` without a compiler.
 pub(crate) fn program() -> Option<&'static Path> {
     static PROGRAM: OnceLock<Option<PathBuf>> = OnceLock::new();
     PROGRAM.get_or_init(|| build("plain", "")).as_deref()
 }
 
-/// A path for a report that no other test uses.
+/// Returns a path for a report that no other test uses.
 pub(crate) fn new_report() -> PathBuf {
     static REPORTS: AtomicUsize = AtomicUsize::new(0);
     let number = REPORTS.fetch_add(1, Ordering::Relaxed);
     scratch(&format!("rig_report_{}_{number}.json", std::process::id()))
 }
 
-/// A frame, and the host's time of the exchange that brought it (us).
+/// A frame, and the host's time of its arrival (us).
 pub(crate) struct Arrival {
     pub(crate) at_us: u64,
     pub(crate) frame: Vec<u8>,
@@ -85,12 +83,11 @@ pub(crate) struct Rig {
     deframer: Deframer,
     next_id: u8,
     law: Option<Law>,
-    /// Bytes that have arrived.
     pub(crate) bytes: Vec<u8>,
     pub(crate) arrivals: Vec<Arrival>,
-    /// Segments of the stream that were no frames.
+    /// Number of segments of the stream that were no frames.
     pub(crate) corrupt: usize,
-    /// Frames of forces that were sent.
+    /// Number of force frames that were sent.
     pub(crate) sent: usize,
 }
 
@@ -102,7 +99,6 @@ impl Drop for Rig {
 }
 
 impl Rig {
-    /// Starts the rig; `None` without a compiler.
     pub(crate) fn start(arguments: &[&str]) -> Option<Self> {
         Some(Self::start_program(program()?, arguments))
     }
@@ -129,7 +125,7 @@ impl Rig {
         rig
     }
 
-    /// Sends what is due, lets `us` pass, and takes what has arrived.
+    /// Sends the pending bytes, advances the time by `us`, and reads the arrivals.
     fn exchange(&mut self, us: u64) {
         self.now_us += us;
         let len = u16::try_from(self.outgoing.len()).expect("few bytes in an exchange");
@@ -148,7 +144,7 @@ impl Rig {
         self.bytes.extend(bytes);
     }
 
-    /// One period: answers the samples that it brings, if there is a law.
+    /// Runs one period: answers its samples if there is a law.
     fn tick(&mut self) {
         let known = self.arrivals.len();
         self.exchange(TICK_US);
@@ -178,7 +174,7 @@ impl Rig {
         }
     }
 
-    /// Sends a request until it is answered; returns the status and the record, if it is.
+    /// Repeats a request until it is answered; returns the answer's status and record, if any.
     pub(crate) fn try_ask<R: Record>(
         &mut self,
         operation: Operation,
@@ -208,14 +204,14 @@ impl Rig {
         self.try_ask(operation, record).expect("an answer")
     }
 
-    /// Asks for something that is done, and answered with a record.
+    /// Sends a request that succeeds, and returns the record of its answer.
     pub(crate) fn get<R: Record, A: Record>(&mut self, operation: Operation, record: &R) -> A {
         let (status, record) = self.ask(operation, record);
         assert_eq!(status, Status::Done, "{operation:?}");
         A::take(&record).expect("its record")
     }
 
-    /// Asks for samples, and arms the board; its samples are answered by `law` from now on.
+    /// Requests samples and arms the board; `law` answers its samples from now on.
     pub(crate) fn arm(&mut self, law: Law) -> Status {
         let period_us = u16::try_from(TICK_US).expect("a period");
         let packing = SamplePacking::Position24Velocity as u8;
@@ -231,31 +227,29 @@ impl Rig {
         self.ask(Operation::Arm, &arm).0
     }
 
-    /// Like [`Self::arm`], and runs for `ms` milliseconds.
     pub(crate) fn play(&mut self, law: Law, ms: u32) {
         assert_eq!(self.arm(law), Status::Done);
         self.run(ms);
     }
 
-    /// All samples that have arrived, and when (us).
+    /// Returns all samples, with their times of arrival (us).
     pub(crate) fn samples(&self) -> Vec<(u64, KeySamples)> {
         let read = |it: &Arrival| samples(it).map(|samples| (it.at_us, samples));
         self.arrivals.iter().filter_map(read).collect()
     }
 
-    /// All hellos that have arrived.
     pub(crate) fn hellos(&self) -> Vec<Hello> {
         let read = |it: &Arrival| Introduction::decode(&it.frame).ok();
         self.arrivals.iter().filter_map(read).map(|who| who.hello).collect()
     }
 
-    /// Kills the rig without a word; returns the report that it has left.
+    /// Kills the rig; returns the report that it has left.
     pub(crate) fn kill(mut self) -> Report {
         self.child.kill().expect("it runs");
         Report::read(&self.report)
     }
 
-    /// Ends the rig regularly; returns its report.
+    /// Ends the rig by closing its input; returns its report.
     pub(crate) fn end(mut self) -> Report {
         drop(self.child.stdin.take());
         let status = self.child.wait().expect("it ends");
@@ -274,12 +268,12 @@ fn samples(arrival: &Arrival) -> Option<KeySamples> {
     is_samples.then(|| KeySamples::decode(&arrival.frame, layout).expect("samples"))
 }
 
-/// Position (um) and velocity (0.2 mm/s) of the key in slot 0.
+/// Returns position (um) and velocity (0.2 mm/s) of the key in slot 0.
 pub(crate) fn first_key(samples: &KeySamples) -> (i32, i32) {
     (samples.positions.as_slice()[0].get(), samples.velocities.as_slice()[0].get().into())
 }
 
-/// What the rig has written.
+/// Report that the rig has written.
 pub(crate) struct Report(String);
 
 impl Report {
@@ -289,7 +283,7 @@ impl Report {
         Self(text)
     }
 
-    /// The value of a field; of keys, that of slot 0.
+    /// Returns the value of a field; for a field of keys, that of slot 0.
     pub(crate) fn text(&self, field: &str) -> &str {
         let (_, rest) = self.0.split_once(&format!("\"{field}\": ")).expect("the field");
         rest.split([',', '}', '\n']).next().expect("its value")

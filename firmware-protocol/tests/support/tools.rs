@@ -1,14 +1,14 @@
-//! Other people's tools, run by tests; a tool that is missing is said aloud.
+//! External tools for tests; a missing tool is reported.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Warnings that firmware compiles without.
+/// Warnings under which firmware must compile.
 pub(crate) const STRICT: [&str; 6] =
     ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror"];
 
-/// Whether all tools are there; if not, says so where libtest does not catch it.
+/// Returns `true` if all tools exist; prints the missing ones past libtest's capture.
 pub(crate) fn are_there(tools: &[&str]) -> bool {
     let emulates = tools.contains(&"qemu-system-arm");
     if emulates && std::env::var_os("LETOFF_MACHINES").is_some_and(|it| it == "none") {
@@ -26,22 +26,21 @@ fn answers(tool: &str) -> bool {
     Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
-/// A line for whoever runs the tests, passed or not.
+/// Prints a line past libtest's capture, also if the test passes.
 pub(crate) fn say(line: &str) {
     let _nobody_listens = writeln!(std::io::stderr(), "{line}");
 }
 
-/// The crate's folder.
 pub(crate) fn crate_root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Where tests may leave files.
+/// Returns a path in the folder for files of tests.
 pub(crate) fn scratch(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// Runs `command`; fails with what it said if it does.
+/// Runs `command`; panics with its output if it fails.
 pub(crate) fn run(command: &mut Command) -> Output {
     let output = command.output().expect("the command starts");
     let said = String::from_utf8_lossy(&output.stderr);

@@ -1,8 +1,8 @@
-//! The golden vectors as they lie beside the crate: comments, then lines `name = value`.
+//! The golden vectors beside the crate: comments, then lines `name = value`.
 
 use std::path::{Path, PathBuf};
 
-/// One vector: what a frame says, and its bytes.
+/// One vector: the fields of a frame, and its bytes.
 pub(crate) struct Vector {
     pub(crate) name: String,
     lines: Vec<(String, String)>,
@@ -25,7 +25,6 @@ impl Vector {
         <[T; 1]>::try_from(numbers).ok().map(|[number]| number).expect("one number")
     }
 
-    /// The bytes of each word of hex digits.
     pub(crate) fn bytes(&self, name: &str) -> Vec<Vec<u8>> {
         self.text(name).split_whitespace().map(hex).collect()
     }
@@ -34,7 +33,7 @@ impl Vector {
         self.bytes("frame").concat()
     }
 
-    /// The fields from the one after `last` up to the bytes: those of the record.
+    /// Returns the record's fields: those between `last` and the bytes.
     pub(crate) fn fields_after(&self, last: &str) -> impl Iterator<Item = (&str, &str)> {
         let behind = self.lines.iter().skip_while(move |(key, _)| key != last).skip(1);
         behind.take_while(|(key, _)| key != "frame").map(|(key, value)| (&**key, &**value))
@@ -46,12 +45,10 @@ fn hex(digits: &str) -> Vec<u8> {
     (0..digits.len()).step_by(2).map(byte).collect()
 }
 
-/// Where the vectors lie.
 pub(crate) fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("vectors")
 }
 
-/// All vectors, by name.
 pub(crate) fn all() -> Vec<Vector> {
     let files = std::fs::read_dir(folder()).expect("the folder of vectors");
     let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
