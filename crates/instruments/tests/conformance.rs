@@ -1,4 +1,4 @@
-//! What every model of the program keeps, whatever it is.
+//! Requirements on every model.
 
 #![expect(
     clippy::disallowed_methods,
@@ -16,7 +16,6 @@ use crate::every_model::{named, with_all};
 use crate::random::Random;
 use crate::stroke::{run, still, values};
 
-/// A word that begins with a letter.
 fn is_word(name: &str, others: &[char]) -> bool {
     name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.chars().all(|c| c.is_ascii_alphanumeric() || others.contains(&c))
@@ -49,7 +48,6 @@ fn names_are_valid<M: Playable>(model: M) {
     check_names(name, &['-'], &presets.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &[], &model.entry().modes.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &['_'], states);
-    // What the drawing follows is called after its frame: `key.x`.
     check_names(name, &['_', '.'], outputs);
     assert!(states.len() <= M::State::ZERO.entries().len(), "{name}: states");
     assert_eq!(model.entry().coordinates, model.coordinates(), "{name}: coordinates");
@@ -136,7 +134,7 @@ fn presets_are_in_range<M: Playable>(model: M) {
     }
 }
 
-/// Every preset of four keys with its label, with a start that is at rest.
+/// Returns every preset of four keys with its label and a start at rest.
 fn presets<M: Described>(model: &M) -> impl Iterator<Item = (String, M)> + use<'_, M> {
     let ModelEntry { name, presets, parameters, .. } = model.entry();
     let keys = |preset| [0_u8, 29, 58, 87].map(|key| (preset, key));
@@ -149,7 +147,7 @@ fn presets<M: Described>(model: &M) -> impl Iterator<Item = (String, M)> + use<'
     })
 }
 
-/// A model somewhere in one of its modes.
+/// A model with a state in one of its modes.
 struct Place<M: Described> {
     label: String,
     model: M,
@@ -158,7 +156,7 @@ struct Place<M: Described> {
     input: Motion,
 }
 
-/// `n` random places in every mode of every preset.
+/// Returns `n` random places in every mode of every preset.
 fn places<M: Playable>(
     model: &M,
     n: usize,
@@ -187,7 +185,6 @@ fn values_are_filled<M: Playable>(model: M) {
     assert!(model == model.with_values(&all), "{label}");
     assert!(model.with_values(&[]) == model.with_values(&all), "{label}");
     assert!(model.with_values(&all[..1]) == model.with_values(&all), "{label}");
-    // Every parameter matters: it is neither dropped nor mixed up with another.
     for index in 0..all.len() {
         let mut changed = all.clone();
         changed[index] = 0.5 * all[index] + 0.123;
@@ -202,11 +199,11 @@ fn at_rest_is_at_rest() {
     with_all!(rest_is_rest);
 }
 
-/// Accelerations that rounding leaves at an equilibrium: an angle's last bit, 1e-17,
-/// times the stiffest spring over the smallest inertia of any preset, 1e6 1/s².
+/// Largest accelerations at an equilibrium (1/s²): an angle's last bit, 1e-17, times the stiffest
+/// spring over the smallest inertia of any preset, 1e6 1/s².
 const ROUNDING: f64 = 1e-10;
 
-/// Whether all entries are zero but for rounding.
+/// Returns `true` if all entries are zero except for rounding.
 fn is_nothing<S: State>(x: &S) -> bool {
     x.entries().iter().all(|entry| entry.abs() < ROUNDING)
 }
@@ -216,7 +213,7 @@ fn rest_is_rest<M: Playable>(model: M) {
         for metres in [0.0, 0.004] {
             let input = still(metres * model.input_per_metre());
             let (mode, x) = model.at_rest(&input);
-            // A mode without equations goes where its constraint puts it.
+            // In a mode without equations the constraint determines the state.
             if !model.parts(mode).is_empty() {
                 let dx = model.derivative(mode, &x, &input);
                 assert!(is_nothing(&dx), "{label} at {metres}: {dx:?}");
@@ -263,7 +260,7 @@ fn outputs_are_written<M: Playable>(model: M) {
         let (written, rest) = out.split_at(n);
         assert!(written.iter().all(|it| it.is_finite()), "{label}: {out:?}");
         assert!(rest.iter().all(|it| it.is_nan()), "{label}: {out:?}");
-        // Room for less is filled and no more.
+        // A shorter buffer is filled.
         model.outputs(mode, &x, &input, &mut out[..1]);
     }
 }
@@ -311,7 +308,7 @@ fn modes_are_complete<M: Playable>(model: M) {
     }
 }
 
-/// Whether the entry of `model` lists `to` among where the guard of a mode leads.
+/// Returns `true` if the entry of `model` lists `to` among the targets of the mode's guard.
 fn leads<M: Playable>(model: &M, (mode, guard): (M::Mode, GuardId), to: M::Mode) -> bool {
     let of = |mode| usize::from(model.mode_code(mode).structure());
     let modes = &model.entry().modes;
@@ -327,7 +324,6 @@ fn dampers_only_take() {
 
 fn dissipation_is_not_negative<M: Playable>(model: M) {
     for Place { label, model, mode, x, input } in places(&model, 50, 3) {
-        // Only where the mode is valid.
         let mut guards = model.guards(mode).iter();
         if guards.all(|guard| model.guard(mode, guard.id, &x, &input).value > 0.0) {
             let power = model.dissipated(mode, &x, &input);
@@ -343,9 +339,9 @@ fn guard_rates_are_the_guards_rates() {
 
 /// Compares each guard's rate with central differences along the flow.
 ///
-/// The difference over 2ε is off by ε²/6 of the third derivative, a third of what it
-/// differs from the one over 4ε; and by rounding, a few ulps of the guard's terms over ε.
-/// Far from rest stiff springs turn friction round within 1 µs: there ε must be smaller.
+/// The difference over 2ε errs by ε²/6 of the third derivative, a third of its difference from
+/// the one over 4ε, and by rounding, a few ulps of the guard's terms over ε. Far from rest stiff
+/// springs reverse friction within 1 µs: there ε must be smaller.
 fn rates_agree<M: Playable>(model: M) {
     const EPSILONS: [f64; 3] = [1e-5, 1e-6, 1e-7];
     for place in places(&model, 20, 4) {
@@ -383,7 +379,7 @@ fn slopes_are_true<M: Playable>(model: M) {
             let readout =
                 |input: Motion| model.readout(mode, &model.constrain(mode, &x, &input), &input);
             let slopes = model.slopes(mode, &x, &input);
-            // A chord over 1e-5 of the key's travel: what bends there is not seen by a board.
+            // A chord over 1e-5 of the key's travel: boards do not resolve a bend inside it.
             let by = 1e-7 * model.input_per_metre();
             let position = |by: f64| Motion { position: input.position + by, ..input };
             let rate = |by: f64| Motion { rate: input.rate + by, ..input };
@@ -422,7 +418,7 @@ fn natures_are_true<M: Playable>(model: M) {
     }
 }
 
-/// Superposition, and for an affine mode that the input is not read.
+/// Checks superposition, and that an affine mode does not read the input.
 #[track_caller]
 fn check_linear<M: Playable>(
     model: &M,
@@ -443,8 +439,8 @@ fn check_linear<M: Playable>(
     }
 }
 
-/// The stated rate, near rest and where the mode is valid: a felt that hardens has any rate if
-/// it is pressed deep enough.
+/// Checks the stated rate near rest and where the mode is valid: a felt that hardens has any rate
+/// if it is pressed deep enough.
 #[track_caller]
 fn check_rate<M: Playable>(
     model: &M,
@@ -457,7 +453,7 @@ fn check_rate<M: Playable>(
     let is_valid = guards.all(|guard| model.guard(mode, guard.id, &x, input).value >= 0.0);
     let stated = model.nature(mode).rate;
     if stated > 0.0 && is_valid {
-        // ‖J³²‖^(1/32) is the largest magnitude of an eigenvalue, or little more.
+        // ‖J³²‖^(1/32) is at most slightly above the largest magnitude of an eigenvalue.
         let squared = |j: <M::State as State>::Matrix| j.product(&j);
         let j = model.jacobian(mode, &x, input);
         let rate = squared(squared(squared(squared(squared(j))))).norm().powf(1.0 / 32.0);
@@ -472,7 +468,7 @@ fn check_equal<S: State>(a: &S, b: &S, what: std::fmt::Arguments<'_>) {
     }
 }
 
-/// A state of `mode` near rest, and an input near its own.
+/// Returns a state of `mode` near rest, and an input near its own.
 fn somewhere<M: Playable>(model: &M, mode: M::Mode, random: &mut Random) -> (M::State, Motion) {
     let span = 0.01 * model.input_per_metre();
     let input = Motion {
@@ -488,7 +484,7 @@ fn somewhere<M: Playable>(model: &M, mode: M::Mode, random: &mut Random) -> (M::
     (model.constrain(mode, &x, &input), input)
 }
 
-/// State and input `t` (s) later, in the same mode, with the input's jerk constant.
+/// Returns state and input `t` (s) later, in the same mode, with constant jerk of the input.
 fn flow<M: Playable>(place: &Place<M>, t: f64) -> (M::State, Motion) {
     let Place { model, mode, x, input, .. } = place;
     let later = |t: f64| {

@@ -1,4 +1,4 @@
-//! What the models draw: complete, named, and in view whatever happens.
+//! Drawings of the models: complete, named, and always in view.
 
 #![expect(
     clippy::disallowed_macros,
@@ -13,7 +13,7 @@ use crate::sketch::play::{Moment, film};
 use crate::sketch::{Drawing, Part, Point};
 use crate::stroke::{tuned, values};
 
-/// Does `check` with every preset of every model, for the lowest and the highest key.
+/// Runs `check` with every preset of every model, for the lowest and the highest key.
 macro_rules! with_all {
     ($check:ident) => {{
         struct Check;
@@ -41,7 +41,7 @@ fn every_signal_has_a_unit() {
         assert_eq!(entry.states.len(), entry.state_units.len(), "{}: states", entry.name);
         assert_eq!(entry.outputs.len(), entry.output_units.len(), "{}: outputs", entry.name);
         let mut guards = entry.modes.iter().flat_map(|mode| &mode.guards).map(|it| it.unit);
-        // An angle that is computed is a ratio, as all its units are.
+        // A computed angle is a ratio, as all its units are.
         assert!(guards.all(|it| ["m", "1", "N", "m/s²"].contains(&it)), "{}", entry.name);
         let units = ["m", "m/s", "rad", "rad/s", "N", "N·m"];
         let all = entry.state_units.iter().chain(&entry.output_units);
@@ -165,7 +165,7 @@ fn a_key_s_front_goes_down_by_the_position() {
 fn front_follows<M: Playable>(label: &str, model: M) {
     let drawing = Drawing::of(&model);
     let Some(key) = drawing.parts.iter().find(|it| it.name == "key") else { return };
-    // Its front is 97 mm from a pivot in a stick of 4 m, which is thicker than that.
+    // Its front is 97 mm from a pivot in a stick of 4 m, which is thicker than 97 mm.
     if label.contains("literal") {
         return;
     }
@@ -182,7 +182,7 @@ fn front_follows<M: Playable>(label: &str, model: M) {
     }
 }
 
-/// With the key at `down` (m) and all else at rest, so that no spring counts.
+/// Returns the moment with the key at `down` (m) and all else at rest, so that no spring counts.
 fn pressed<M: Playable>(model: &M, down: f64) -> Moment {
     let keys = [("y", down), ("theta_k", down * model.input_per_metre())];
     let is_one = |it: &(&str, f64)| model.entry().states.contains(&it.0);
@@ -190,7 +190,6 @@ fn pressed<M: Playable>(model: &M, down: f64) -> Moment {
     Moment::posed(model, 0, down, &keys)
 }
 
-/// Height of the upper corner of a key's front.
 fn front(key: &Part, moment: &Moment) -> f64 {
     let own = key.outlines.iter().flat_map(|it| &it.points).copied();
     let before = |a: Point, b: Point| if (b[0], -b[1]) < (a[0], -a[1]) { b } else { a };

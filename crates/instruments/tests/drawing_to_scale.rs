@@ -1,4 +1,4 @@
-//! What the models draw is to scale, and in contact where they say so.
+//! Drawings of the models: to scale, and in contact where the equations are.
 #![expect(clippy::expect_used, reason = "checks for tests, which fail aloud")]
 
 use instruments::SmallModel;
@@ -16,13 +16,12 @@ const BALL: &str = "bouncing-ball";
 const CART: &str = "cart-pendulum";
 const WALL: &str = "spring-wall";
 
-/// A model of the program.
 #[track_caller]
 fn small(name: &str) -> SmallModel {
     crate::every_model::named(name).small().expect("a small model")
 }
 
-/// The place of a mode of model C in its list.
+/// Returns the index of a mode of model C.
 #[track_caller]
 fn grand_mode(name: &str) -> usize {
     let modes = small(MODEL_C).entry().modes.clone();
@@ -43,12 +42,12 @@ fn the_stroke_visits_the_modes_of_the_actions() {
     assert!(grand.contains(&grand_mode("CHK")) && grand.len() > 7, "{grand:?}");
 }
 
-/// The lowest or highest of heights.
+/// Returns the lowest or highest of heights.
 fn extreme(points: &[Point], sign: f64) -> f64 {
     sign * points.iter().map(|it| sign * it[1]).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// By how much the head is below the string, both as drawn (m).
+/// Returns the drawn distance of the head below the string (m).
 fn below_string(drawing: &Drawing, moment: &Moment) -> f64 {
     let hammer = drawing.part("hammer", moment);
     let felts = hammer.of(Material::Felt).into_iter();
@@ -59,7 +58,7 @@ fn below_string(drawing: &Drawing, moment: &Moment) -> f64 {
     extreme(&string, -1.0) - extreme(&felt, 1.0)
 }
 
-/// The head touches the string where the model says so, in the stroke and by its guard.
+/// Checks that the head touches the string when the string's guard fires.
 #[track_caller]
 fn check_string<M: Playable>(model: &M, guard: &str) {
     let drawing = Drawing::of(model);
@@ -97,12 +96,12 @@ fn the_head_touches_the_string_where_the_guard_is_zero() {
     head_strikes(&small(MODEL_C));
 }
 
-/// The hammer's shank, along which the slider goes.
+/// Returns the hammer's shank, along which the slider moves.
 fn underside(drawing: &Drawing, moment: &Moment) -> Vec<Point> {
     drawing.part("hammer", moment).placed(moment, 0)
 }
 
-/// The slider as it is drawn: the last line of its body.
+/// Returns the drawn slider: the last line of its body.
 fn slider(part: &Part, moment: &Moment) -> Vec<Point> {
     part.placed(moment, part.outlines.len() - 1)
 }
@@ -118,7 +117,7 @@ fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
             let moment = Moment::at_rest(&model, down);
             let slider = slider(drawing.part("key", &moment), &moment);
             let gap = distance(&slider, &underside(&drawing, &moment));
-            // A rim of 24 corners is within 0.9 % of its circle; one lies right at rest.
+            // A rim of 24 corners is within 0.9 % of its circle; one corner touches at rest.
             let rim = if down > 0.0 { 2e-4 * l1 } else { 0.0 };
             assert!(gap < 1e-4_f64.min(1e-4 * l1) + rim, "{name}: {gap} m at {down} m");
         }
@@ -183,7 +182,7 @@ fn k2_is_as_much_shorter_as_it_is_pressed() {
         (a[0] - b[0]).hypot(a[1] - b[1])
     };
     let moment = Moment::at_rest(&model, 0.0);
-    // The hammer where it touches a slider that k2 does not bear.
+    // The hammer if it touches a slider that k2 does not carry.
     let [l1, l3, l4] = ["L1", "L3", "L4"].map(|name| parameter(known, ("paper", 0), name));
     let (sin, cos) = moment.signal("theta_k").sin_cos();
     let touching = (l1 * sin - l4).atan2(l1 * cos - l3);
@@ -194,12 +193,11 @@ fn k2_is_as_much_shorter_as_it_is_pressed() {
     assert!(q4 > 0.01 && (pressed / q4 - 1.0).abs() < 0.01, "{pressed} m for {q4} m");
 }
 
-/// A part's line by its place, where it is at a moment.
 fn line(drawing: &Drawing, (name, index): (&str, usize), moment: &Moment) -> Vec<Point> {
     drawing.part(name, moment).placed(moment, index)
 }
 
-/// The knuckle is the hammer's third line, the jack its own first.
+/// Returns their distance (m): the knuckle is the hammer's third line, the jack its own first.
 fn knuckle_to_jack(drawing: &Drawing, moment: &Moment) -> f64 {
     distance(&line(drawing, ("hammer", 2), moment), &line(drawing, ("jack", 0), moment))
 }
@@ -250,7 +248,7 @@ fn the_grand_s_tail_is_held_by_the_check() {
         let pads = key.of(Material::Felt);
         let pad = key.placed(moment, *pads.last().expect("a pad"));
         let gap = distance(&pad, &line(&drawing, ("hammer", 3), moment));
-        // Right in the middle of its range; 1.2 mm of key away the check swings 0.5 mm further.
+        // Exact in the middle of its range; 1.2 mm of key away the check swings 0.5 mm further.
         assert!(gap < 5e-4, "{gap} m between tail and check at {moment:?}");
     }
 }
@@ -269,17 +267,15 @@ fn the_grand_s_tender_meets_the_button_from_there_to_the_trip() {
     }
 }
 
-/// The distance between two points of a drawing (m).
 fn between(a: Point, b: Point) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// A body's own origin.
 fn origin(drawing: &Drawing, name: &str, moment: &Moment) -> Point {
     drawing.part(name, moment).place(moment, [0.0, 0.0])
 }
 
-/// What is drawn is `given` long (m).
+/// Checks that the drawn length `drawn` is `given` (m).
 #[track_caller]
 fn near(what: &str, drawn: f64, given: f64) {
     assert!((drawn - given).abs() < 1e-12, "{what}: {drawn} m is drawn for {given} m");
@@ -310,7 +306,7 @@ fn heights_of_head<M: Playable>(known: &M) {
         below_string(&drawing, &moment)
     };
     near("zs", head(0.045), 0.0);
-    // Between, the head leans back by up to 7°: 50 mm of it are 0.4 mm less high.
+    // In between the head leans back by up to 7°: its 50 mm are 0.4 mm lower.
     assert!((head(0.03) - 0.015).abs() < 5e-4, "{} m is drawn for 15 mm", head(0.03));
 }
 
@@ -323,7 +319,7 @@ fn lengths_are_the_parameters() {
 #[test]
 fn the_grand_s_blow_is_drawn_in_full() {
     let known = &small(MODEL_C);
-    // The point of the head that strikes goes on a circle: it is the shank's end that rises.
+    // The striking point of the head moves on a circle; the shank's end is what rises.
     let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let moment = Moment::at_rest(&model, 0.0);

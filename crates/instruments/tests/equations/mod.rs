@@ -1,4 +1,4 @@
-//! Models from tables whose functions are written by hand, against closed forms.
+//! Models from tables with functions written by hand, against closed forms.
 
 mod model;
 mod swing;

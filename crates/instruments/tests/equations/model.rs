@@ -20,7 +20,6 @@ fn swing<const N: usize>(parameters: &[f64]) -> EquationModel<Swing, N, 8> {
     EquationModel::new(Swing, parameters).unwrap()
 }
 
-/// An input at rest.
 fn still(position: f64) -> Motion {
     Motion { position, ..Motion::default() }
 }

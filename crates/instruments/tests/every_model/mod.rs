@@ -1,4 +1,4 @@
-//! Does one check with each of the paper's models and their neighbours.
+//! Runs one check with each of the paper's models and their neighbours.
 #![expect(clippy::panic, reason = "a test's own module, which fails aloud")]
 
 use std::path::Path;
@@ -7,7 +7,7 @@ use std::sync::Arc;
 use instruments::LoadedModel;
 use mechanism::Library;
 
-/// The models whose folders are beside these tests.
+/// Loads the models whose folders are beside these tests.
 pub(crate) fn all() -> impl Iterator<Item = Arc<LoadedModel>> {
     let names = [
         "key-hammer-springs",
@@ -20,13 +20,12 @@ pub(crate) fn all() -> impl Iterator<Item = Arc<LoadedModel>> {
     names.into_iter().map(named)
 }
 
-/// The model of the program called `name`.
 pub(crate) fn named(name: &str) -> Arc<LoadedModel> {
     let model = Library::default().find(name, Path::new(""));
     model.unwrap_or_else(|missing| panic!("{}", missing.rendered()))
 }
 
-/// Calls the generic function `check` with each model, which has the values of its default preset.
+/// Calls the generic function `check` with each model, with the values of its default preset.
 macro_rules! with_all {
     ($check:ident) => {{
         struct Check;

@@ -1,4 +1,4 @@
-//! Numbers that look random and are the same in every run.
+//! Reproducible random numbers.
 #![expect(unreachable_pub, reason = "a test's own module")]
 
 /// SplitMix64.
@@ -10,7 +10,6 @@ impl Random {
         Self(seed)
     }
 
-    /// A number in `low .. high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;

@@ -1,4 +1,4 @@
-//! Records what a model draws, and puts it where a moment's signals say.
+//! Records a model's drawing, and places it at a moment's signals.
 #![allow(
     dead_code,
     unreachable_pub,
@@ -38,25 +38,21 @@ impl Part {
         shown(&self.modes, moment)
     }
 
-    /// Where a point of it is.
     pub fn place(&self, moment: &Moment, [px, py]: Point) -> Point {
         let [x, y, angle] = self.pose.map(|it| moment.follow(&it));
         let (sin, cos) = angle.sin_cos();
         [x + px * cos - py * sin, y + px * sin + py * cos]
     }
 
-    /// Where the points of a line of it are.
     pub fn placed(&self, moment: &Moment, outline: usize) -> Vec<Point> {
         let points = &self.outlines[outline].points;
         points.iter().map(|point| self.place(moment, *point)).collect()
     }
 
-    /// Where all its points are.
     pub fn points(&self, moment: &Moment) -> Vec<Point> {
         (0..self.outlines.len()).flat_map(|outline| self.placed(moment, outline)).collect()
     }
 
-    /// The lines of a material.
     pub fn of(&self, material: Material) -> Vec<usize> {
         (0..self.outlines.len()).filter(|it| self.outlines[*it].material == material).collect()
     }
@@ -70,15 +66,15 @@ fn shown(modes: &[u8], moment: &Moment) -> bool {
 #[derive(Clone, Debug)]
 pub struct Spring {
     pub name: &'static str,
-    /// Bodies and points of them.
+    /// Indices of bodies, with points of them.
     pub ends: [(usize, Point); 2],
     pub modes: Vec<u8>,
 }
 
-/// All that a model drew.
+/// All calls of a model's `draw`.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
-    /// Left, bottom, right, top (m), as often as it was said.
+    /// Left, bottom, right, top (m) of each call.
     pub views: Vec<[f64; 4]>,
     pub parts: Vec<Part>,
     pub springs: Vec<Spring>,
@@ -91,14 +87,14 @@ impl Drawing {
         drawing
     }
 
-    /// The part called `name` that is shown at `moment`.
+    /// Returns the part called `name` that is shown at `moment`.
     #[track_caller]
     pub fn part(&self, name: &str, moment: &Moment) -> &Part {
         let found = |it: &&Part| it.name == name && it.is_shown(moment);
         self.parts.iter().find(found).expect("a part of that name")
     }
 
-    /// Springs that are shown, with the places of their ends.
+    /// Returns the shown springs with the positions of their ends.
     pub fn coils(&self, moment: &Moment) -> Vec<(&Spring, [Point; 2])> {
         let shown = self.springs.iter().filter(|it| shown(&it.modes, moment));
         shown
@@ -130,7 +126,7 @@ impl Sketch for Drawing {
     }
 }
 
-/// The shortest way between the edges of two closed lines that do not cross (m).
+/// Returns the shortest distance of the edges of two closed lines that do not cross (m).
 pub fn distance(a: &[Point], b: &[Point]) -> f64 {
     corners_to_edges(a, b).min(corners_to_edges(b, a))
 }

@@ -7,10 +7,10 @@ use pode::{Event, Limits, Motion, Simulator, Watch};
 
 use crate::stroke::{presses, still};
 
-/// What a drawing follows.
+/// Mode and signals that a drawing follows.
 #[derive(Clone, Debug)]
 pub struct Moment {
-    /// Place of the mode in the model's list.
+    /// Index of the mode in the model's list.
     pub mode: usize,
     pub signals: Vec<(&'static str, f64)>,
 }
@@ -30,14 +30,13 @@ impl Moment {
         }
     }
 
-    /// At rest with the key's front `down` (m).
+    /// Returns the moment at rest with the key's front `down` (m).
     pub fn at_rest<M: Playable>(model: &M, down: f64) -> Self {
         let input = still(down * model.input_per_metre());
         Self::of(model, model.at_rest(&input), &input)
     }
 
-    /// With the key's front `down` (m) as at rest, but in a mode and with entries of the state that
-    /// are given.
+    /// Like [`Self::at_rest`], but in a given mode and with given entries of the state.
     #[track_caller]
     pub fn posed<M: Playable>(model: &M, mode: usize, down: f64, entries: &[(&str, f64)]) -> Self {
         let input = still(down * model.input_per_metre());
@@ -61,8 +60,8 @@ impl Moment {
     }
 }
 
-/// The key's front at `t` (s), in the unit of the model's input: down by 10 mm in some 60 ms
-/// from 0.1 s on, up again from 0.3 s on.
+/// Returns the key's front at `t` (s), in the unit of the model's input: down by 10 mm in some
+/// 60 ms from 0.1 s, up again from 0.3 s.
 pub fn stroke<M: Playable>(model: &M, t: f64) -> Motion {
     let down = presses(&[[0.01, 0.1, 0.015], [-0.01, 0.35, 0.02]], t);
     let k = model.input_per_metre();
@@ -74,7 +73,7 @@ pub fn stroke<M: Playable>(model: &M, t: f64) -> Motion {
     }
 }
 
-/// The moments at ends of ticks and right before events.
+/// Recorder of the moments at ends of ticks and right before events.
 struct Film<M: Described> {
     model: M,
     moments: Vec<(String, Moment)>,
@@ -87,7 +86,7 @@ impl<M: Playable> Watch<M> for Film<M> {
     }
 }
 
-/// The stroke's moments with the names of their events; the ends of ticks have none.
+/// Returns the stroke's moments with the names of their events; ends of ticks have none.
 pub fn film<M: Playable>(model: &M) -> Vec<(String, Moment)> {
     const H: f64 = 1e-3;
     let (mode, state) = model.at_rest(&stroke(model, 0.0));

@@ -13,7 +13,7 @@ pub use audited_run::{presses, run, still};
 
 use instruments::{Described, Preset};
 
-/// `model` with preset `preset` of `key`, and some values replaced by name.
+/// Returns `model` with preset `preset` of `key`, and some values replaced by name.
 #[track_caller]
 pub fn tuned<M: Described>(model: &M, preset: &str, key: u8, changes: &[(&str, f64)]) -> M {
     let entry = model.entry();
@@ -26,7 +26,6 @@ pub fn tuned<M: Described>(model: &M, preset: &str, key: u8, changes: &[(&str, f
     model.with_values(&values)
 }
 
-/// The value of a parameter in preset `preset` of `key`.
 #[track_caller]
 pub fn parameter<M: Described>(model: &M, (preset, key): (&str, u8), name: &str) -> f64 {
     let entry = model.entry();
@@ -35,7 +34,6 @@ pub fn parameter<M: Described>(model: &M, (preset, key): (&str, u8), name: &str)
     found.value(index, key)
 }
 
-/// One value per parameter of `preset` for `key`.
 pub fn values(preset: &Preset, parameters: usize, key: u8) -> Vec<f64> {
     preset.values(key).split_at(parameters).0.to_vec()
 }
