@@ -84,8 +84,8 @@ impl Board {
         Some(Self::start_built(name, elf))
     }
 
-    /// Starts a board with a clock [`SLOW`] times too slow: its 100 ms are 400 ms of the host, so that
-    /// a busy machine does not look like a silent host.
+    /// Starts a board with a clock [`SLOW`] times too slow: its 100 ms are 400 ms of the host, so
+    /// that a busy machine does not look like a silent host.
     pub(crate) fn start_slow(name: &str) -> Option<Self> {
         static ELF: OnceLock<Option<PathBuf>> = OnceLock::new();
         let elf = ELF.get_or_init(|| are_there(&TOOLS).then(|| build(SLOW))).as_ref()?;
