@@ -1,15 +1,15 @@
 //! Keys, boards, and the standard compass.
 //!
-//! A board says itself which keys it carries, at most twelve in a row. In the standard
-//! compass, which the simulated keybed has, board `b` carries the keys `11 b ..= 11 b + 10`.
+//! A board reports its keys, at most twelve in a row. In the standard compass, also that of the
+//! simulated keybed, board `b` carries the keys `11 b ..= 11 b + 10`.
 
 pub use keyboard::{KEYS, KeyIndex};
 
-/// Keys that one board carries at most: an octave.
+/// Maximum number of keys of a board: an octave.
 pub const MOST_KEYS: usize = 12;
-/// Boards of the standard compass.
+/// Number of boards of the standard compass.
 pub const BOARDS: usize = 8;
-/// Keys of each board of the standard compass.
+/// Number of keys of each board of the standard compass.
 pub const KEYS_PER_BOARD: usize = 11;
 
 const STANDARD_SLOTS: u8 = 11;
@@ -20,10 +20,9 @@ const STANDARD_BOARDS: u8 = 8;
 pub struct BoardId(u8);
 
 impl BoardId {
-    /// The largest number that a board can have.
     pub const MAX: Self = Self(14);
 
-    /// Returns the board with this number; none above 14.
+    /// Returns the board with this number; `None` above 14.
     pub const fn new(number: u8) -> Option<Self> {
         if number <= Self::MAX.0 { Some(Self(number)) } else { None }
     }
@@ -33,7 +32,7 @@ impl BoardId {
         Self(key.number() / STANDARD_SLOTS)
     }
 
-    /// Returns the place of `key` on its board of the standard compass, `0 ..= 10`.
+    /// Returns the slot of `key` on its board of the standard compass, `0 ..= 10`.
     pub const fn slot_of(key: KeyIndex) -> usize {
         key.index() % KEYS_PER_BOARD
     }
@@ -43,12 +42,10 @@ impl BoardId {
         (0..STANDARD_BOARDS).map(Self)
     }
 
-    /// Returns the number as it stands on the wire.
     pub const fn number(self) -> u8 {
         self.0
     }
 
-    /// Returns the number as an index into arrays over boards.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
@@ -60,7 +57,7 @@ impl BoardId {
     }
 }
 
-/// One value for each key of a board, in the order of its slots.
+/// One value for each key of a board, in the order of slots.
 #[derive(Clone, Copy, Debug)]
 pub struct PerKey<T> {
     values: [T; MOST_KEYS],
@@ -68,7 +65,7 @@ pub struct PerKey<T> {
 }
 
 impl<T: Copy + Default> PerKey<T> {
-    /// Returns the first 12 of `values`.
+    /// Collects the first 12 of `values`.
     pub fn collect(values: impl IntoIterator<Item = T>) -> Self {
         let mut kept = Self::default();
         for (place, value) in kept.values.iter_mut().zip(values) {
@@ -78,17 +75,14 @@ impl<T: Copy + Default> PerKey<T> {
         kept
     }
 
-    /// Returns the values that are there.
     pub fn as_slice(&self) -> &[T] {
         &self.values[..self.n]
     }
 
-    /// Tells whether there is no value.
     pub const fn is_empty(&self) -> bool {
         self.n == 0
     }
 
-    /// Returns the values that are there, to be changed.
     pub fn as_mut_slice(&mut self) -> &mut [T] {
         &mut self.values[..self.n]
     }

@@ -1,9 +1,8 @@
-//! The lengths that a frame can have on CAN FD.
+//! Lengths of CAN FD frames.
 
-/// Lengths that a CAN FD frame can have.
 pub const LENGTHS: [usize; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 20, 24, 32, 48, 64];
 
-/// Returns the shortest length of a CAN FD frame that holds `len` bytes; 64 for more than it can.
+/// Returns the shortest length of a CAN FD frame for `len` bytes, at most 64.
 pub const fn padded(len: usize) -> usize {
     let mut i = 0;
     while i < LENGTHS.len() {

@@ -1,20 +1,20 @@
 //! The wire format between the host and the boards, as both sides compile it.
 //!
-//! There are two classes of traffic. **Cyclic** frames carry positions up and forces down, in
-//! a fixed layout; none is ever sent twice, what was lost is replaced by the next one.
-//! **Acyclic** requests are answered, and asked again until they are ([`acyclic`]).
+//! There are two classes of traffic. **Cyclic** frames carry positions up and forces down, in a
+//! fixed layout; none is ever repeated, since the next one replaces a lost one. **Acyclic**
+//! requests are repeated until they are answered ([`acyclic`]).
 //!
-//! | frame | from | what it says |
+//! | frame | from | content |
 //! |---|---|---|
-//! | [`frame::hello`] | board | who it is, what it speaks, carries and can |
-//! | [`frame::key_samples`] | board | where the keys are |
+//! | [`frame::hello`] | board | identity, version, keys and features |
+//! | [`frame::key_samples`] | board | positions of the keys |
 //! | [`frame::key_forces`] | host | the forces of one board, an answer to one frame of samples |
-//! | [`frame::multicast_forces`] | host | the forces of 30 keys, on whichever boards |
+//! | [`frame::multicast_forces`] | host | the forces of 30 keys, on any boards |
 //! | [`frame::broadcast`] | host | emergency stop, bus time, "who is there?" |
 //! | [`acyclic`] | both | requests and replies |
 //!
-//! On a byte stream a frame travels inside [`serial`] framing with its own checksum; on CAN FD
-//! padded to a length that the bus has, on classic CAN in pieces ([`can`]).
+//! On a byte stream a frame travels inside [`serial`] framing with a checksum; on CAN FD padded
+//! to a length of the bus, on classic CAN in pieces ([`can`]).
 //!
 //! ```
 //! use firmware_protocol::frame::{FrameKind, Header, key_forces::{self, ForceLayout, ForcePacking, KeyForces}};
@@ -46,8 +46,8 @@
 //! }
 //! ```
 //!
-//! Here are integers only. Metres and newtons appear in `boards::calibration`.
-//! `c/` has the same for firmware in C, `vectors/` golden bytes for any language.
+//! This crate contains only integers. Metres and newtons appear in `boards::calibration`. `c/` is
+//! the counterpart for firmware in C, and `vectors/` has golden bytes for any language.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -67,5 +67,5 @@ pub mod version;
 
 pub use record::{Nothing, Record, RecordField, RecordLayout};
 
-/// The longest frame that any link carries: CAN FD's (bytes).
+/// Length of the longest frame on any link: CAN FD's (bytes).
 pub const MAX_FRAME: usize = 64;

@@ -1,20 +1,15 @@
-//! Wire units: integers whose unit stands in their name.
-//!
-//! What does not fit is moved to the nearest value that does; nothing wraps around.
+//! Wire units: integers with the unit in their name. Conversions saturate; nothing wraps around.
 
 /// An encoder's reading (counts), 24 bits, down positive.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub struct Counts(i32);
 
 impl Counts {
-    /// The largest reading (counts).
     pub const MAX: Self = Self(0x7F_FFFF);
-    /// The smallest reading (counts).
     pub const MIN: Self = Self(-0x80_0000);
-    /// Bytes on the wire.
     pub const LEN: usize = 3;
 
-    /// Returns the nearest reading to `counts` that 24 bits hold.
+    /// Returns the nearest reading to `counts` in 24 bits.
     pub const fn saturating(counts: i32) -> Self {
         if counts > Self::MAX.0 {
             Self::MAX
@@ -25,26 +20,24 @@ impl Counts {
         }
     }
 
-    /// Returns the reading (counts).
     pub const fn get(self) -> i32 {
         self.0
     }
 
-    /// Returns the nearest 16 bits to the reading.
+    /// Returns the nearest reading in 16 bits.
     pub fn saturated(self) -> i16 {
         saturated(self.0)
     }
 
-    /// Returns the little-endian two's complement in three bytes.
+    /// Returns three bytes of little-endian two's complement.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         let [low, middle, high, _sign] = self.0.to_le_bytes();
         [low, middle, high]
     }
 
-    /// Reads what [`Self::to_le_bytes`] wrote.
     pub const fn from_le_bytes(bytes: [u8; Self::LEN]) -> Self {
         let [low, middle, high] = bytes;
-        // In the upper three bytes the sign is where i32 has it; the shift spreads it.
+        // The sign of the upper three bytes is where i32 has it; the shift extends it.
         Self(i32::from_le_bytes([0, low, middle, high]) >> 8)
     }
 }
@@ -54,14 +47,13 @@ impl Counts {
 pub struct Millinewtons(i16);
 
 impl Millinewtons {
-    /// The largest force, 32.767 N.
+    /// Largest force, 32.767 N.
     pub const MAX: Self = Self(i16::MAX);
-    /// The smallest force, −32.768 N.
+    /// Smallest force, −32.768 N.
     pub const MIN: Self = Self(i16::MIN);
-    /// Bytes on the wire.
     pub const LEN: usize = 2;
 
-    /// Returns the nearest force to `millinewtons` that 16 bits hold.
+    /// Returns the nearest force to `millinewtons` in 16 bits.
     pub fn saturating(millinewtons: i32) -> Self {
         Self(saturated(millinewtons))
     }
@@ -71,12 +63,10 @@ impl Millinewtons {
         self.0
     }
 
-    /// Returns the little-endian two's complement.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         self.0.to_le_bytes()
     }
 
-    /// Reads what [`Self::to_le_bytes`] wrote.
     pub const fn from_le_bytes(bytes: [u8; Self::LEN]) -> Self {
         Self(i16::from_le_bytes(bytes))
     }
@@ -87,33 +77,29 @@ impl Millinewtons {
 pub struct SpeedCode(i16);
 
 impl SpeedCode {
-    /// What one unit means (um/s).
+    /// One unit (um/s).
     pub const MICROMETRES_PER_SECOND: i32 = 200;
-    /// Bytes on the wire.
     pub const LEN: usize = 2;
 
-    /// Returns the nearest speed to `units` (0.2 mm/s) that 16 bits hold.
+    /// Returns the nearest speed to `units` (0.2 mm/s) in 16 bits.
     pub fn saturating(units: i32) -> Self {
         Self(saturated(units))
     }
 
-    /// Returns the speed (0.2 mm/s).
     pub const fn get(self) -> i16 {
         self.0
     }
 
-    /// Returns the little-endian two's complement.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         self.0.to_le_bytes()
     }
 
-    /// Reads what [`Self::to_le_bytes`] wrote.
     pub const fn from_le_bytes(bytes: [u8; Self::LEN]) -> Self {
         Self(i16::from_le_bytes(bytes))
     }
 }
 
-/// A slope of the force by position or speed, in one byte: a small floating-point number.
+/// A slope of the force by position or speed in one byte: a small floating-point number.
 ///
 /// ```text
 /// bit 7       sign
@@ -122,27 +108,27 @@ impl SpeedCode {
 /// magnitude   m if e = 0, else (8 + m) 2^(e − 1)
 /// ```
 ///
-/// Exact up to 15, then to one part in nine towards zero, up to 245 760. Stiffness counts in 0.25 N/m
-/// (61 kN/m at most), damping in 0.001 N s/m (245 N s/m at most). That is as fine as needed:
-/// the force itself is exact where the samples were taken, and only goes on from there.
+/// Exact up to 15, then to one part in nine towards zero, up to 245 760. Stiffness counts in
+/// 0.25 N/m (61 kN/m at most), damping in 0.001 N s/m (245 N s/m at most). That is fine enough:
+/// the force is exact where the samples were taken, and the slope only extrapolates it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SlopeCode(u8);
 
 impl SlopeCode {
-    /// What one unit of stiffness means (mN/m).
+    /// One unit of stiffness (mN/m).
     pub const STIFFNESS_UNIT: i32 = 250;
-    /// What one unit of damping means (mN s/m).
+    /// One unit of damping (mN s/m).
     pub const DAMPING_UNIT: i32 = 1;
     pub const MAX: i32 = 15 << 14;
 
-    /// Returns the slope next to `units` on the side of zero.
+    /// Rounds `units` towards zero.
     pub const fn toward_zero(units: i32) -> Self {
         let magnitude = if units.unsigned_abs() < Self::MAX.unsigned_abs() {
             units.unsigned_abs()
         } else {
             Self::MAX.unsigned_abs()
         };
-        // A magnitude from 8 on has its leading one at bit 3 + (e − 1).
+        // The leading one of a magnitude of at least 8 is at bit 3 + (e − 1).
         let shift = if magnitude < 8 { 0 } else { 28 - magnitude.leading_zeros() };
         let mantissa = magnitude >> shift;
         let code = if magnitude < 8 { mantissa } else { (shift + 1) << 3 | mantissa & 7 };
@@ -150,25 +136,22 @@ impl SlopeCode {
         Self(if units < 0 && code != 0 { code | 0x80 } else { code })
     }
 
-    /// Returns the slope (units).
     pub const fn get(self) -> i32 {
         let (exponent, mantissa) = (self.0 >> 3 & 0xF, (self.0 & 7) as i32);
         let magnitude = if exponent == 0 { mantissa } else { (8 + mantissa) << (exponent - 1) };
         if self.0 & 0x80 == 0 { magnitude } else { -magnitude }
     }
 
-    /// Returns the byte on the wire.
     pub const fn code(self) -> u8 {
         self.0
     }
 
-    /// Reads a byte from the wire; every byte means something.
+    /// Decodes a byte; every byte is valid.
     pub const fn from_code(code: u8) -> Self {
         Self(code)
     }
 }
 
-/// Returns the nearest 16 bits to `value`.
 fn saturated(value: i32) -> i16 {
     let outside = if value < 0 { i16::MIN } else { i16::MAX };
     i16::try_from(value).unwrap_or(outside)

@@ -1,50 +1,45 @@
 //! Fixed records: fields one after the other, little-endian, without gaps.
 //!
-//! A record is written down once, in [`record!`]; reading, writing, the C header and the tables of
-//! PROTOCOL.md come from that list.
+//! [`record!`] is the only list of a record's fields; reading, writing, the C header and the
+//! tables of PROTOCOL.md derive from it.
 
-/// A record that stands in a frame.
+/// A record in a frame.
 pub trait Record: Sized + Copy {
-    /// Bytes on the wire.
     const LEN: usize;
-    /// Its name and fields, for generated code and documents.
+    /// Name and fields, for generated code and documents.
     const LAYOUT: RecordLayout;
 
-    /// Writes the record to the start of `bytes`; nothing if there is no room.
+    /// Writes the record to the start of `bytes`; `None` without room.
     fn put(&self, bytes: &mut [u8]) -> Option<usize>;
 
-    /// Reads the record from the start of `bytes`, if they are enough.
-    ///
-    /// What stands behind is left alone: a newer minor version may have more fields.
+    /// Decodes the record from the start of `bytes`; `None` if they are too few. Ignores the rest:
+    /// a newer minor version may have more fields.
     fn take(bytes: &[u8]) -> Option<Self>;
 }
 
-/// A record's name and its fields in the order of the wire.
+/// Name and fields of a record in the order of the wire.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RecordLayout {
     pub name: &'static str,
     pub fields: &'static [RecordField],
 }
 
-/// A field of a record, for those who generate code from it.
+/// A field of a record, for generated code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RecordField {
     pub name: &'static str,
-    /// Its documentation, which PROTOCOL.md prints.
+    /// Documentation of the field, which PROTOCOL.md prints.
     pub meaning: &'static str,
-    /// Its type, as C99 has it: `uint16_t`; bytes are an array of `uint8_t`.
+    /// Type in C99: `uint16_t`; bytes are an array of `uint8_t`.
     pub c_type: &'static str,
-    /// Length of the field (bytes).
     pub len: usize,
 }
 
-/// A value with a fixed length on the wire.
 pub(crate) trait Scalar: Sized + Copy {
     const LEN: usize;
     const C_TYPE: &'static str;
-    /// Writes the scalar to the start of `bytes`, which has room for it.
+    /// Writes the scalar to the start of `bytes`, which must have room for it.
     fn put(self, bytes: &mut [u8]);
-    /// Reads the scalar from the start of `bytes`.
     fn take(bytes: &[u8]) -> Option<Self>;
 }
 
@@ -82,9 +77,8 @@ impl<const N: usize> Scalar for [u8; N] {
     }
 }
 
-/// Defines a record: a struct whose fields stand on the wire in this order.
-///
-/// PROTOCOL.md prints the comments of the fields, with units in square brackets.
+/// Defines a record: a struct with its fields in the order of the wire. PROTOCOL.md prints the
+/// comments of the fields, with units in square brackets.
 macro_rules! record {
     (
         $(#[$doc:meta])+
@@ -123,14 +117,14 @@ macro_rules! record {
     };
 }
 
-/// Writes `value` to the start of `bytes`; returns what is behind it.
+/// Writes `value` to the start of `bytes`; returns the rest.
 pub(crate) fn put<S: Scalar>(value: S, bytes: &mut [u8]) -> Option<&mut [u8]> {
     let (place, rest) = bytes.split_at_mut_checked(S::LEN)?;
     value.put(place);
     Some(rest)
 }
 
-/// Reads a value from the start of `rest`, and leaves what is behind it.
+/// Decodes a value from the start of `rest`, and removes its bytes.
 pub(crate) fn take<S: Scalar>(rest: &mut &[u8]) -> Option<S> {
     S::take(rest.split_off(..S::LEN)?)
 }

@@ -1,10 +1,10 @@
 //! The layouts of the cyclic frames as one text, and its hash.
 //!
-//! A board says the hash that it was built with in its hello; a host never arms a board with
-//! another one. So a layout that was changed and a version that was not cannot meet.
-//! A change of a cyclic frame changes the text; a test holds some of it to the code.
+//! A board reports the hash of its build in its hello; a host never arms a board with another
+//! one. So a changed layout is rejected even if the version was forgotten. Every change of a
+//! cyclic frame must change the text; a test compares some of it with the code.
 
-/// What stands in the cyclic frames; changing a character makes every board of before foreign.
+/// Layout of the cyclic frames; changing a character makes every earlier board incompatible.
 pub const CYCLIC: &str = "\
 header: kind:3 flag:1 board:4 | sequence:u8 | stamp_us:u16
 key_samples kind 3: position16:i16 | position24:i24 | position16:i16 velocity:i16 | position24:i24 velocity:i16

@@ -1,27 +1,26 @@
-//! The version of the protocol, and who may talk to whom.
+//! The version of the protocol, and its compatibility.
 //!
 //! A **minor** number counts additions: new requests, new broadcasts, new bits that were zero,
-//! new fields behind a record's last. Who does not know them ignores or refuses them, and all
-//! else goes on. A **major** number counts changes after which old frames would be misread;
-//! boards of another one are refused at their hello and never armed. The cyclic layouts have a
-//! hash of their own, [`crate::schema::HASH`], so that not even a forgotten number lets a
-//! force be misread.
+//! new fields after a record's last. A peer without them ignores or rejects them, and all else
+//! works. A **major** number counts changes that would make old frames misread; a host rejects
+//! boards with another one at their hello and never arms them. The hash of the cyclic layouts,
+//! [`crate::schema::HASH`], prevents misread forces even after a forgotten number.
 
-/// What this crate speaks. 2.1 added where a finger starts and how long it takes to lift, 2.2 the
-/// health of boards and keys, keys without motors, and the way into a bootloader.
+/// Version of this crate. 2.1 added the start and the lift time of a finger, 2.2 the health of
+/// boards and keys, keys without motors, and the entry into a bootloader.
 pub const PROTOCOL_VERSION: ProtocolVersion = ProtocolVersion { major: 2, minor: 2 };
 
 /// A version of the protocol.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProtocolVersion {
-    /// Counts changes after which old frames would be misread.
+    /// Counts changes that would make old frames misread.
     pub major: u8,
-    /// Counts additions that the other side may ignore.
+    /// Counts additions that a peer may ignore.
     pub minor: u8,
 }
 
 impl ProtocolVersion {
-    /// Tells whether frames of `other` may be acted on: the major numbers are equal.
+    /// Returns `true` if frames of `other` may be acted on: the major numbers are equal.
     pub const fn understands(self, other: Self) -> bool {
         self.major == other.major
     }

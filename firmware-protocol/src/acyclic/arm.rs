@@ -1,4 +1,4 @@
-//! How a board is disarmed and armed: the only way out of the safe state.
+//! Disarming and arming of a board: the only exit from the safe state.
 //!
 //! ```text
 //! host  disarm  ──▶  board: no force; a new nonce
@@ -7,15 +7,14 @@
 //!
 //! A nonce serves once, so neither a repeated request nor an old host arms a board.
 //!
-//! Forces expire from the first on that is taken after the arming: a board that is armed and was
-//! given none renders none, so nothing can be stale. Of multicast forces the older group counts
-//! where a board has keys in two, and there are none before both have come.
+//! Forces expire from the first that the board accepts after arming: an armed board without forces
+//! renders none, so nothing can be stale. If a board has keys in two multicast groups, the older
+//! force frame counts, and the board renders nothing before both have arrived.
 //!
-//! A board that was stopped or whose key failed is safe for good: a disarming is answered with
+//! A stopped board, or one with a failed key, is safe for good: it answers a Disarm with
 //! [`super::Status::WrongState`] and changes nothing, so no request arms it and its reason can
-//! still be asked for. Only its power clears that, so a person has been there. A stop or a failed
-//! key takes the place of any other reason, on a board that is safe or disarmed as well; of the
-//! two the first stays.
+//! still be read. Only power clears that, so a person has been there. A stop or a failed key
+//! replaces any other reason, also on a safe or disarmed board; of the two the first stays.
 
 record! {
     /// The answer to a disarming.
@@ -26,7 +25,7 @@ record! {
 }
 
 record! {
-    /// What forces will be like.
+    /// Properties of the forces that follow.
     Arm {
         /// The nonce of the last Disarm.
         nonce: u32,
@@ -37,16 +36,16 @@ record! {
     }
 }
 
-/// The shortest time that forces may be valid (ms).
+/// Minimum time for which forces are valid (ms).
 pub const SHORTEST_VALID_MS: u8 = 5;
-/// The longest time that forces may be valid (ms).
+/// Maximum time for which forces are valid (ms).
 pub const LONGEST_VALID_MS: u8 = 100;
-/// What is usual (ms).
+/// Usual time for which forces are valid (ms).
 pub const VALID_MS: u8 = 20;
-/// Time in which forces fade when they have expired (ms).
+/// Time in which expired forces fade (ms).
 pub const FADE_MS: u8 = 10;
-/// How long the point around which a force goes on moves on (us), see
+/// Time for which the reference point of an extrapolated force moves (us), see
 /// [`crate::frame::key_forces`].
 pub const PATH_US: u16 = 2_000;
-/// Samples that a board remembers for forces to answer.
+/// Number of sample frames that a board remembers for forces to answer.
 pub const HISTORY: usize = 64;

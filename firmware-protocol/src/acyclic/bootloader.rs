@@ -1,12 +1,12 @@
-//! The way into a board's bootloader, so that its firmware can be changed without its case open.
+//! Entry into a board's bootloader: new firmware without opening the case.
 
 record! {
-    /// Ends the firmware, and starts the bootloader; how that is spoken to is the board's own.
+    /// Ends the firmware, and starts the bootloader, whose protocol is the board's own.
     Bootloader {
         /// `42 4F 4F 54`, the letters BOOT; another value is answered with `BadValue`.
         magic: [u8; 4],
     }
 }
 
-/// What the request must contain.
+/// Required value of the request.
 pub const MAGIC: [u8; 4] = *b"BOOT";

@@ -1,7 +1,5 @@
-//! What a board keeps of a key's calibration.
-//!
-//! The host has more in its file; this is what the board itself needs: where the ends are, for
-//! its own fault detection, and how strong the motor really is.
+//! The part of a key's calibration that the board needs: the ends of the key's travel, for fault
+//! detection, and the motor's real strength. The host's file contains more.
 
 record! {
     /// Asks for the calibration of the key in a slot.

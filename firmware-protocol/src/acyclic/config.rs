@@ -1,7 +1,6 @@
 //! A board's settings, by number.
 //!
-//! They are kept over a restart; their CRC-32 stands in the hello, so that a host need not
-//! write again what is there.
+//! Settings survive a restart; the hello contains their CRC-32, so a host writes only changes.
 
 record! {
     /// Asks for the value of a setting.
@@ -22,7 +21,7 @@ record! {
 }
 
 record! {
-    /// A setting as it is now.
+    /// A setting with its current value.
     Config {
         /// The value as it is now.
         value: i32,
@@ -35,11 +34,11 @@ record! {
 pub mod setting {
     /// The board's number on its link, `0 ..= 14`; holds from the next start.
     pub const BOARD: u8 = 0;
-    /// Its first key, `0 ..= 87`; holds from the next start.
+    /// First key of the board, `0 ..= 87`; holds from the next start.
     pub const FIRST_KEY: u8 = 1;
-    /// Force limit of all its motors (mN).
+    /// Force limit of all motors (mN).
     pub const MAX_FORCE_MN: u8 = 2;
-    /// How many settings there are.
+    /// Number of settings.
     pub const COUNT: u8 = 3;
 }
 

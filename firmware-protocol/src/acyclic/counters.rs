@@ -1,7 +1,7 @@
-//! What a board has counted since it started.
+//! Counters of a board.
 
 record! {
-    /// What a board has counted since it started; each stops at its largest value.
+    /// Counts since the board started; each stops at its largest value.
     Counters {
         /// Frames of samples that were sent.
         samples: u32,

@@ -1,9 +1,8 @@
-//! A simulated board's finger: so that a pianist can play over a real link.
-//!
-//! Real boards have none and answer that the operation is impossible.
+//! A simulated board's finger, with which a pianist can play over a real link. A real board
+//! answers that the operation is impossible.
 
 record! {
-    /// A gesture on one key; a new one is added to those that wait.
+    /// A gesture on one key; it is appended to the waiting ones.
     Finger {
         /// Place of the key on the board, from 0.
         slot: u8,
@@ -24,9 +23,9 @@ record! {
     }
 }
 
-/// The value of `touch` of a finger that lies on the key and presses it.
+/// Value of `touch` for a finger that rests on the key and presses it.
 pub const PRESSED: u8 = 0;
-/// The value of `touch` of a finger that is in motion when it meets the key.
+/// Value of `touch` for a finger that moves when it meets the key.
 pub const STRUCK: u8 = 1;
-/// The value of `touch` that forgets all gestures of a key.
+/// Value of `touch` that removes all gestures of a key.
 pub const FORGET: u8 = 255;

@@ -1,9 +1,8 @@
-//! How a board and its keys are, and one key without its motor.
-//!
-//! Added by 2.2, for boards with [`crate::frame::hello::feature::HEALTH`].
+//! Health of a board and its keys, and keys without motor. Added by 2.2, for boards with
+//! [`crate::frame::hello::feature::HEALTH`].
 
 record! {
-    /// How a board is; in 16 bits the key in slot 0 has bit 0.
+    /// Health of a board; in 16 bits the key in slot 0 has bit 0.
     BoardHealth {
         /// Times that the board was started in its life; stops at the largest value.
         boots: u32,
@@ -17,7 +16,7 @@ record! {
 }
 
 record! {
-    /// Asks how the key in a slot is.
+    /// Requests the health of the key in a slot.
     ReadKeyHealth {
         /// Place of the key on the board, from 0.
         slot: u8,
@@ -25,7 +24,7 @@ record! {
 }
 
 record! {
-    /// How a key is.
+    /// Health of a key.
     KeyHealth {
         /// Number of the key fault, 0 for none.
         fault: u8,
@@ -37,7 +36,7 @@ record! {
 }
 
 record! {
-    /// Takes the motor of the key in a slot off, or back on, until the board is started anew.
+    /// Switches the motor of the key in a slot off, or on again, until the board restarts.
     MuteKey {
         /// Place of the key on the board, from 0.
         slot: u8,
@@ -46,10 +45,9 @@ record! {
     }
 }
 
-/// A temperature or current that is not measured.
 pub const NOT_MEASURED: i16 = i16::MIN;
 
-/// What may have failed of a key.
+/// Numbers of key faults.
 pub mod key_fault {
     pub const NONE: u8 = 0;
     pub const SENSOR: u8 = 1;

@@ -1,7 +1,7 @@
-//! A light, so that a builder sees which board is which.
+//! A light that identifies a board to a builder.
 
 record! {
-    /// Lets the board blink its light.
+    /// Blinks the light of the board.
     Light {
         /// Time for which the board blinks (s); 0 stops it.
         seconds: u8,

@@ -5,12 +5,12 @@
 //! reply    byte 0 kind 5 | board    byte 1 id    byte 2 operation    byte 3 status    byte 4..
 //! ```
 //!
-//! The host asks again, with the same id, until it is answered: not before 25 ms, since a USB
-//! adapter may hold an answer that long. One request is on its way to a board at a time. A
-//! board that sees the id of the request that it answered last sends the same answer again and
-//! does nothing else, so asking twice does nothing twice.
+//! The host repeats a request, with the same id, until it is answered: not before 25 ms, since a
+//! USB adapter may hold an answer that long. Each board has one open request at a time. A board
+//! that receives the id of its last answered request again repeats the answer and does nothing
+//! else, so a repeated request acts once.
 //!
-//! Requests are never on the tick's path, and cost the bus less than a hundredth.
+//! Requests are never on the tick's path, and use less than a hundredth of the bus.
 
 #[macro_use]
 mod operation;
@@ -33,10 +33,10 @@ use crate::key::BoardId;
 use crate::{MAX_FRAME, Nothing, Record, RecordLayout};
 
 /// Passes the table of operations to the macro `with`: number, name, function with the records of
-/// request and answer, what a board shall, should or may have, and the meaning.
+/// request and answer, obligation (`shall`, `should` or `may`), and meaning.
 ///
-/// The enum [`Operation`], the functions of a board in Rust and in C, and the tables of PROTOCOL.md
-/// are made from it. New operations may be added in a minor version.
+/// [`Operation`], the functions of a board in Rust and in C, and the tables of PROTOCOL.md derive
+/// from it. A minor version may add operations.
 #[macro_export]
 macro_rules! operations {
     ($with:ident) => {
@@ -73,10 +73,10 @@ macro_rules! operations {
 
 operations!(define_operations);
 
-/// An operation as generated code and documents list it.
+/// An operation for generated code and documents.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct OperationEntry {
-    /// Name of its function in [`BoardOperations`], and in C behind `answer_`.
+    /// Name of its function in [`BoardOperations`], and in C after `answer_`.
     pub function: &'static str,
     /// Obligation of boards: `shall`, `should` or `may`.
     pub needed: &'static str,
@@ -85,36 +85,34 @@ pub struct OperationEntry {
     pub meaning: &'static str,
 }
 
-/// Longest time until a board has answered a request (ms).
+/// Maximum time from a request to its answer (ms).
 pub const ANSWER_MS: u32 = 20;
 
-/// Time after which a request is asked again at the earliest (ms).
+/// Minimum time before a request is repeated (ms).
 pub const RETRY_MS: u32 = 25;
 
-/// Bytes before the record of a request.
+/// Number of bytes before the record of a request.
 pub const REQUEST_HEAD: usize = 3;
-/// Bytes before the record of a reply.
+/// Number of bytes before the record of a reply.
 pub const REPLY_HEAD: usize = 4;
 
-/// How a request was answered.
+/// Result of a request.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum Status {
     Done = 0,
     /// The board does not know the operation.
     Unknown = 1,
-    /// A value in it is out of range, or the record is too short.
+    /// A value of the request is out of range, or the record is too short.
     BadValue = 2,
-    /// Not in the state in which the board is.
+    /// The state of the board does not allow the operation.
     WrongState = 3,
-    /// The nonce is not the one that was given out last.
+    /// The nonce is not the newest one.
     WrongNonce = 4,
-    /// The board cannot do that.
     Impossible = 5,
 }
 
 impl Status {
-    /// All of them, in the order of their numbers.
     pub const ALL: [Self; 6] = [
         Self::Done,
         Self::Unknown,
@@ -124,29 +122,26 @@ impl Status {
         Self::Impossible,
     ];
 
-    /// Returns the status with this number; [`Status::Impossible`] for those of newer versions.
+    /// Returns the status with this number; [`Status::Impossible`] for one of a newer version.
     pub fn new(number: u8) -> Self {
         Self::ALL.get(usize::from(number)).copied().unwrap_or(Self::Impossible)
     }
 }
 
-/// A request as it came.
+/// A received request.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct AcyclicRequest<'a> {
     pub board: BoardId,
-    /// Its number; the same one is the same request again.
+    /// Number of the request; a repeated request has the same one.
     pub id: u8,
-    /// What is asked for; nothing that this version knows if the number is none of its own.
+    /// Operation, or its number if this version does not know it.
     pub operation: Result<Operation, u8>,
-    /// The record, and zeros or newer fields behind it.
+    /// The record, followed by zeros or newer fields.
     pub record: &'a [u8],
 }
 
 impl<'a> AcyclicRequest<'a> {
-    /// Reads a frame, padded or not; never panics, whatever the bytes.
-    ///
-    /// # Errors
-    /// Says what in `bytes` is not of this frame.
+    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let [first, id, operation, record @ ..] = bytes else { return Err(length) };
@@ -159,7 +154,7 @@ impl<'a> AcyclicRequest<'a> {
     }
 }
 
-/// Writes a request of `board`; returns its length.
+/// Encodes a request of `board`; returns its length.
 pub fn encode_request<R: Record>(
     board: BoardId,
     id: u8,
@@ -173,23 +168,19 @@ pub fn encode_request<R: Record>(
     REQUEST_HEAD + record.put(&mut bytes[REQUEST_HEAD..]).unwrap_or_default()
 }
 
-/// A reply as it came.
+/// A received reply.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct AcyclicReply<'a> {
     pub board: BoardId,
     pub id: u8,
-    /// What had been asked for.
     pub operation: Result<Operation, u8>,
     pub status: Status,
-    /// The record, and zeros or newer fields behind it; nothing if it was not done.
+    /// The record, followed by zeros or newer fields; empty if the operation was not done.
     pub record: &'a [u8],
 }
 
 impl<'a> AcyclicReply<'a> {
-    /// Reads a frame, padded or not; never panics, whatever the bytes.
-    ///
-    /// # Errors
-    /// Says what in `bytes` is not of this frame.
+    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let [first, id, operation, status, record @ ..] = bytes else { return Err(length) };
@@ -202,9 +193,8 @@ impl<'a> AcyclicReply<'a> {
     }
 }
 
-/// Writes a reply of `board` to the request `id`; returns its length.
-///
-/// `operation` is the number that was asked for, known or not.
+/// Encodes a reply of `board` to the request `id`; returns its length. `operation` is the
+/// requested number, known or not.
 pub fn encode_reply<R: Record>(
     board: BoardId,
     id: u8,

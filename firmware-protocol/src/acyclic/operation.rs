@@ -1,4 +1,4 @@
-//! The types and functions that follow from the table of operations.
+//! Types and functions that derive from the table of operations.
 
 /// Defines [`super::Operation`], its entries for generated code, and the functions of a board.
 macro_rules! define_operations {
@@ -14,10 +14,8 @@ macro_rules! define_operations {
         }
 
         impl Operation {
-            /// All operations, in the order of their numbers.
             pub const ALL: [Self; [$($number),+].len()] = [$(Self::$name),+];
 
-            /// Returns the operation with this number.
             pub const fn new(number: u8) -> Option<Self> {
                 match number {
                     $($number => Some(Self::$name),)+
@@ -25,7 +23,6 @@ macro_rules! define_operations {
                 }
             }
 
-            /// Returns the operation as generated code and documents list it.
             pub const fn entry(self) -> OperationEntry {
                 match self {
                     $(Self::$name => OperationEntry {
@@ -39,7 +36,7 @@ macro_rules! define_operations {
             }
         }
 
-        /// The operations of a board. One that it lacks answers [`Status::Unknown`].
+        /// The operations of a board. A missing one answers [`Status::Unknown`].
         pub trait BoardOperations {
             $(
                 #[doc = $meaning]
@@ -52,7 +49,7 @@ macro_rules! define_operations {
             )+
         }
 
-        /// Lets `board` do what `request` asks for, and writes its reply; returns the length.
+        /// Runs `request` on `board`, and encodes its reply; returns the length.
         pub fn answer(
             board: &mut impl BoardOperations,
             request: &AcyclicRequest<'_>,

@@ -1,4 +1,4 @@
-//! What time a board's clock shows.
+//! The time of a board's clock.
 
 record! {
     /// The board's time when it answered.
@@ -8,6 +8,6 @@ record! {
     }
 }
 
-/// Largest drift of a board's clock that is accepted, faster or slower (1e-6): RC oscillators
-/// without trimming keep to it.
+/// Largest accepted drift of a board's clock in either direction (1e-6): untrimmed RC oscillators
+/// keep within it.
 pub const CLOCK_TOLERANCE_PPM: u32 = 30_000;

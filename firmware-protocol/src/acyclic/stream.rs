@@ -1,7 +1,7 @@
-//! Which samples a board shall send, and how often; zero stops them.
+//! Packing and rate of a board's samples; zero stops them.
 
 record! {
-    /// The samples that are wanted.
+    /// Requested samples.
     Stream {
         /// Time between two frames (us); 0 stops the samples.
         period_us: u16,

@@ -1,12 +1,11 @@
-//! The same frames on CAN: identifiers, padding, and pieces for classic CAN.
+//! Frames on CAN: identifiers, padding, and pieces for classic CAN.
 //!
 //! ```text
 //! identifier, 11 bits:  bits 10..7 class, bits 6..0 board; 15 is all boards
 //! ```
 //!
-//! The class comes first, so that what is urgent wins the bus from whatever board it comes.
-//! The kind and the board stand in the frame as well: an identifier and a frame that do not
-//! agree are refused.
+//! The class comes first, so that urgent frames win the bus whichever board sends them. The frame
+//! contains kind and board too: receivers reject a frame that disagrees with its identifier.
 
 pub mod pieces;
 
@@ -14,14 +13,14 @@ pub use crate::length::{LENGTHS, padded};
 
 use crate::frame::{ALL_BOARDS, FrameKind};
 
-/// What a frame is, by urgency; the smaller number wins the bus.
+/// Class of a frame, by urgency; the smaller number wins the bus.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 #[repr(u8)]
 pub enum Class {
     Stop = 0,
     /// Bus time, and "who is there?".
     Sync = 1,
-    /// Forces of thirty keys.
+    /// Forces of 30 keys.
     MulticastForces = 2,
     /// Forces of one board.
     KeyForces = 3,
@@ -32,7 +31,7 @@ pub enum Class {
 }
 
 impl Class {
-    /// All classes, the most urgent first.
+    /// All classes in the order of urgency.
     pub const ALL: [Self; 8] = [
         Self::Stop,
         Self::Sync,
@@ -44,7 +43,7 @@ impl Class {
         Self::Hello,
     ];
 
-    /// Returns the class of a frame; none if it is of no kind.
+    /// Returns the class of a frame; `None` if its kind is unknown.
     pub fn of(frame: &[u8]) -> Option<Self> {
         Some(match FrameKind::of(frame)? {
             FrameKind::Broadcast if frame.get(1) == Some(&1) => Self::Stop,
@@ -62,7 +61,7 @@ impl Class {
 /// Bits of the identifier below the class.
 pub const NODE_BITS: u16 = 7;
 
-/// Returns the identifier under which a frame travels; none if it is of no kind.
+/// Returns the identifier of a frame; `None` if its kind is unknown.
 pub fn identifier(frame: &[u8]) -> Option<u16> {
     let class = Class::of(frame)?;
     let node =
@@ -70,7 +69,7 @@ pub fn identifier(frame: &[u8]) -> Option<u16> {
     Some(u16::from(class as u8) << NODE_BITS | u16::from(node))
 }
 
-/// Tells whether a frame may have come under this identifier.
+/// Returns `true` if a frame may have this identifier.
 pub fn agrees(id: u16, frame: &[u8]) -> bool {
     identifier(frame) == Some(id)
 }

@@ -5,30 +5,30 @@
 //! byte 1..8   up to seven bytes of the frame
 //! ```
 //!
-//! A frame that lost a piece is lost: the next one is already on its way.
+//! A lost piece loses its frame: the next one is already on its way.
 
 use crate::MAX_FRAME;
 
-/// Bytes of a frame in one piece.
+/// Payload of a piece (bytes).
 pub const PIECE: usize = 7;
-/// Pieces that the longest frame takes.
+/// Number of pieces of the longest frame.
 pub const MOST_PIECES: usize = MAX_FRAME.div_ceil(PIECE);
 
 /// Bit of the head that marks the last piece.
 pub const LAST: u8 = 0b0001_0000;
 /// Bits of the head with the number of the piece.
 pub const INDEX: u8 = 0b0000_1111;
-/// Where the number of the frame stands in the head.
+/// Position of the frame's number in the head.
 pub const ROLL_SHIFT: u8 = 5;
 
-/// Returns how many pieces a frame of `len` bytes takes; an empty one takes one.
+/// Returns the number of pieces of a frame of `len` bytes; an empty one takes one piece.
 pub const fn count(len: usize) -> usize {
     if len == 0 { 1 } else { len.div_ceil(PIECE) }
 }
 
-/// Cuts `frame` into pieces with the rolling number `roll`; each has its length beside it.
+/// Cuts `frame` into pieces, each with its length, under the rolling number `roll`.
 ///
-/// What is longer than the longest frame is cut off.
+/// Bytes beyond the longest frame are dropped.
 pub fn cut(frame: &[u8], roll: u8) -> impl Iterator<Item = ([u8; 8], usize)> + '_ {
     let frame = &frame[..frame.len().min(MAX_FRAME)];
     let n = count(frame.len());
@@ -43,16 +43,16 @@ pub fn cut(frame: &[u8], roll: u8) -> impl Iterator<Item = ([u8; 8], usize)> + '
     })
 }
 
-/// Puts the pieces of one sender together, in a fixed buffer.
+/// Joins the pieces of one sender, in a fixed buffer.
 #[derive(Clone, Debug)]
 pub struct Reassembler {
     buffer: [u8; MAX_FRAME],
     len: usize,
-    /// The piece that comes next, and the number of its frame.
+    /// Next piece, and the number of its frame.
     expected: Option<(u8, u8)>,
 }
 
-/// A piece that does not follow the one before: the frame that it belonged to is lost.
+/// A piece that does not follow the one before: its frame is lost.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct PieceLost;
 
@@ -63,10 +63,10 @@ impl Default for Reassembler {
 }
 
 impl Reassembler {
-    /// Takes the next piece; returns the frame when it was the last of one.
+    /// Accepts the next piece; returns the frame after its last piece.
     ///
     /// # Errors
-    /// A piece is missing; the frame is lost, and the next one is read afresh.
+    /// A piece is missing; its frame is lost, and the next one starts afresh.
     pub fn push(&mut self, piece: &[u8]) -> Result<Option<&[u8]>, PieceLost> {
         let [head, part @ ..] = piece else { return self.lose() };
         let (roll, index) = (head >> ROLL_SHIFT, head & INDEX);

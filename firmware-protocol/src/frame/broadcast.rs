@@ -1,4 +1,4 @@
-//! What the host says to all boards at once.
+//! Frames to all boards at once.
 //!
 //! ```text
 //! byte 0      kind 0, board 15
@@ -8,51 +8,44 @@
 //!             who is there: the host's protocol version, major and minor
 //! ```
 //!
-//! A board that is stopped takes its forces away within 10 ms and is safe until it is started
-//! anew, whatever it was before: see [`crate::acyclic::arm`]. Bus time gives multicast forces their age. A board answers "who
-//! is there?" with its hello, after as many milliseconds as its number.
+//! A stopped board takes its forces away within 10 ms and is safe until it restarts, whatever its
+//! state was: see [`crate::acyclic::arm`]. Bus time determines the age of multicast forces. A
+//! board answers "who is there?" with its hello, after as many milliseconds as its number.
 
 use super::{ALL_BOARDS, DecodeError, FrameKind, check_kind, check_padding, head};
 use crate::version::ProtocolVersion;
 
-/// The length without padding, of the longest.
+/// Maximum length without padding (bytes).
 pub const MAX_LEN: usize = 8;
 
-/// Keeps an emergency stop from being anything else.
+/// Protection against a corrupt frame that looks like an emergency stop.
 pub const STOP_MAGIC: [u8; 2] = [0xDE, 0xAD];
 
-/// Number of the emergency stop.
 pub const STOP: u8 = 1;
-/// Number of the bus time.
 pub const TIME: u8 = 2;
-/// Number of "who is there?".
 pub const WHO: u8 = 3;
 
-/// What the host says to all boards at once.
+/// A frame to all boards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Broadcast {
-    /// No force on any key until the board is started anew.
+    /// Removes the force from every key until the board restarts.
     EmergencyStop {
         /// Free for the sender's use.
         reason: u8,
     },
-    /// What time it is on this bus.
     BusTime {
         /// Host time (us); wraps.
         host_us: u32,
     },
-    /// Boards, say your hello.
+    /// Requests a hello from every board.
     WhoIsThere {
-        /// What the host speaks.
+        /// Version of the host.
         version: ProtocolVersion,
     },
 }
 
 impl Broadcast {
-    /// Reads a frame, padded or not; never panics, whatever the bytes.
-    ///
-    /// # Errors
-    /// Says what in `bytes` is not of this frame.
+    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         if MAX_LEN < bytes.len() {
@@ -60,7 +53,7 @@ impl Broadcast {
         }
         let [first, what, rest @ ..] = bytes else { return Err(length) };
         check_kind(*first, FrameKind::Broadcast)?;
-        // What is said to all is said to board 15; a stop for one board would be something else.
+        // Board 15 means all boards; a stop for one board would be a different frame.
         if *first & ALL_BOARDS != ALL_BOARDS {
             return Err(DecodeError::Value { at: 0 });
         }
@@ -85,7 +78,7 @@ impl Broadcast {
         Ok(broadcast)
     }
 
-    /// Writes the frame with zeros behind it; returns its length without them.
+    /// Writes the frame and zeros after it; returns its length without them.
     pub fn encode(&self, bytes: &mut [u8; MAX_LEN]) -> usize {
         let (what, rest, len) = match *self {
             Self::EmergencyStop { reason } => (STOP, [STOP_MAGIC[0], STOP_MAGIC[1], reason, 0], 5),

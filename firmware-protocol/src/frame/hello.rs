@@ -1,13 +1,12 @@
-//! Who a board is: board → host, when it starts, when it is asked, and as a reply.
+//! Identity of a board: board → host, when it starts, on request, and as a reply.
 //!
 //! ```text
 //! byte 0      kind 6, flag: it renders no forces, bits 3..0 board
 //! byte 1..    the fields of [`Hello`], little-endian, in their order
 //! ```
 //!
-//! 49 bytes; a board of a newer minor version may say more behind them. The magic and the
-//! version stand first and never move, so that a board of another generation is refused by
-//! its number rather than misread.
+//! 49 bytes; a board of a newer minor version may append more. Magic and version come first and
+//! never move, so that a host rejects another major version by its number instead of misreading it.
 
 use super::{DecodeError, FrameKind, check_board, flag, head};
 use crate::MAX_FRAME;
@@ -15,10 +14,10 @@ use crate::Record as _;
 use crate::key::BoardId;
 use crate::version::{PROTOCOL_VERSION, ProtocolVersion};
 
-/// The length without padding, in this version.
+/// Length without padding, in this version (bytes).
 pub const LEN: usize = 1 + Hello::LEN;
 
-/// What every hello begins with.
+/// First bytes of every hello.
 pub const MAGIC: [u8; 4] = *b"LTOF";
 
 /// Features of a board, one bit each, in [`Hello::features`].
@@ -28,31 +27,30 @@ pub mod feature {
     pub const MULTICAST: u16 = 1 << 1;
     /// Has velocities in its samples.
     pub const VELOCITY: u16 = 1 << 2;
-    /// Is a simulation and has fingers, see [`crate::acyclic::finger`].
+    /// Is a simulation with fingers, see [`crate::acyclic::finger`].
     pub const FINGERS: u16 = 1 << 3;
     pub const LOG: u16 = 1 << 4;
-    /// Knows how it and its keys are, see [`crate::acyclic::health`].
+    /// Reports the health of itself and its keys, see [`crate::acyclic::health`].
     pub const HEALTH: u16 = 1 << 5;
     pub const BOOTLOADER: u16 = 1 << 6;
 }
 
-/// Why a board is safe, in [`Hello::safe_reason`].
+/// Reasons for the safe state, in [`Hello::safe_reason`].
 pub mod safe_reason {
-    /// It is not safe.
+    /// The board is not safe.
     pub const NONE: u8 = 0;
-    /// It has never been armed.
     pub const NEVER_ARMED: u8 = 1;
-    /// Its forces expired and no new ones came.
+    /// Its forces expired.
     pub const SILENCE: u8 = 2;
     pub const DISARMED: u8 = 3;
-    /// Everything was stopped; until it is started anew.
+    /// All boards were stopped; lasts until a restart.
     pub const EMERGENCY_STOP: u8 = 4;
-    /// A key, motor or sensor failed; until it is started anew.
+    /// A key, motor or sensor failed; lasts until a restart.
     pub const KEY_FAULT: u8 = 5;
 }
 
 record! {
-    /// Who a board is.
+    /// Identity and abilities of a board.
     Hello {
         /// `4C 54 4F 46`, the letters LTOF.
         magic: [u8; 4],
@@ -95,21 +93,17 @@ record! {
     }
 }
 
-/// A hello as it stands in a frame.
+/// A hello with the header of its frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Introduction {
-    /// The number of the board on its link.
     pub board: BoardId,
-    /// It renders no forces; [`Hello::safe_reason`] says why.
+    /// `true` if the board renders no forces, for the reason [`Hello::safe_reason`].
     pub safe: bool,
     pub hello: Hello,
 }
 
 impl Introduction {
-    /// Reads a frame, padded or not, of this or a newer minor version; never panics.
-    ///
-    /// # Errors
-    /// Says what in `bytes` is not of this frame.
+    /// Decodes a frame, padded or not, of this or a newer minor version; never panics.
     pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let [first, record @ ..] = bytes else { return Err(length) };
@@ -128,7 +122,7 @@ impl Introduction {
         Ok(Self { board, safe: flag(*first), hello })
     }
 
-    /// Writes the frame with zeros behind it; returns its length without them.
+    /// Writes the frame and zeros after it; returns its length without them.
     pub fn encode(&self, bytes: &mut [u8; MAX_FRAME]) -> usize {
         bytes.fill(0);
         let flag = u8::from(self.safe) << super::field::FLAG_SHIFT;

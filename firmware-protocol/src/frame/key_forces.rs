@@ -1,4 +1,4 @@
-//! What a board's motors shall do: host → board, an answer to one frame of samples.
+//! Forces of a board's motors: host → board, an answer to one frame of samples.
 //!
 //! ```text
 //! byte 0..3   header, kind 1; sequence and board time are those of the samples answered;
@@ -11,17 +11,18 @@
 //!
 //! With eleven keys these are 26 and 48 bytes; on CAN FD 32 and 48 (filled exactly).
 //!
-//! Between two frames the board renders F0 + K (s0 − s) + B (s0' − s'). The point s0, s0'
-//! moves as the key was expected to: it starts at the position and velocity in the samples
-//! that the frame answers, which the board knows exactly, so they need no bytes, and goes on at
-//! that velocity for at most [`crate::acyclic::arm::PATH_US`] after they were taken. So only
-//! what was not expected changes the force, however long the frame was on its way. Force up and position down are positive: a spring and a
-//! damper that push back grow upwards with s and s', so their K = −∂F/∂s and B = −∂F/∂s' are
-//! **negative**.
+//! Between two frames the board renders F0 + K (s0 − s) + B (s0' − s'). The point s0, s0' moves as
+//! the key was expected to. It starts at the position and velocity of the answered samples, which
+//! the board knows exactly, so the frame does not contain them. It continues at that velocity for
+//! at most [`crate::acyclic::arm::PATH_US`] after the samples. So only unexpected motion changes
+//! the force, however long the frame was on its way. Force up and position down are positive: a
+//! spring and a damper that push back grow upwards with s and s', so their K = −∂F/∂s and
+//! B = −∂F/∂s' are **negative**.
 //!
-//! The forces are **valid until** the time of the samples answered plus the time that was
-//! agreed when the board was armed. A board takes a frame only if both sequence and time are
-//! those of one of its last 64 frames of samples, which is not older than that and not older
+//! The forces are **valid until** the time of the answered samples plus the time that was agreed
+//! at arming. A board accepts a frame only if both sequence and time are those of one of its last
+//! 64 sample frames, which is neither older than that nor older than the last answered one: so no
+//! stale force is rendered, whatever a link does.
 //! than the one answered before: so nothing stale is ever rendered, whatever a link does.
 
 use super::{DecodeError, FrameKind, HEADER_LEN, Header};
@@ -31,13 +32,13 @@ use crate::quantity::{Millinewtons, SlopeCode};
 
 pub const MAX_LEN: usize = MAX_FRAME;
 
-/// How each key is packed.
+/// Packing of each key's force.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 #[repr(u8)]
 pub enum ForcePacking {
     #[default]
     Force16 = 0,
-    /// The force and how it goes on.
+    /// The force and its slopes.
     Force16Slope = 1,
     /// The force, held, in frames for all boards: [`super::multicast_forces`].
     Multicast16 = 2,
@@ -46,12 +47,11 @@ pub enum ForcePacking {
 impl ForcePacking {
     pub const ALL: [Self; 3] = [Self::Force16, Self::Force16Slope, Self::Multicast16];
 
-    /// Returns the packing with this number.
     pub fn new(number: u8) -> Option<Self> {
         Self::ALL.get(usize::from(number)).copied()
     }
 
-    /// Returns the bytes for one key.
+    /// Returns the length of one key (bytes).
     pub const fn key_len(self) -> usize {
         match self {
             Self::Force16 | Self::Multicast16 => 2,
@@ -59,22 +59,20 @@ impl ForcePacking {
         }
     }
 
-    /// Returns the bytes of a frame with `n_keys` keys, without padding.
+    /// Returns the length of a frame with `n_keys` keys, without padding (bytes).
     pub const fn frame_len(self, n_keys: usize) -> usize {
         HEADER_LEN + n_keys * self.key_len()
     }
 }
 
-/// What was agreed of a board's forces.
+/// Agreed layout of a board's forces.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ForceLayout {
-    /// How each key is packed.
     pub packing: ForcePacking,
-    /// How many keys there are.
     pub n_keys: usize,
 }
 
-/// How a key's force goes on between two frames.
+/// Slopes of a key's force between two frames.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct KeySlopes {
     /// K = −∂F/∂s (0.25 N/m).
@@ -86,19 +84,16 @@ pub struct KeySlopes {
 /// The forces of one board's keys.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyForces {
-    /// Who is meant, and which samples are answered.
+    /// The receiver, and the answered samples.
     pub header: Header,
-    /// Force of each key where the samples have it, in the order of slots.
+    /// Force of each key at the samples, in the order of slots.
     pub forces: PerKey<Millinewtons>,
-    /// How each force goes on; as many as forces, or none.
+    /// Slopes of each force; as many as forces, or none.
     pub slopes: PerKey<KeySlopes>,
 }
 
 impl KeyForces {
-    /// Reads a frame, padded or not; never panics, whatever the bytes.
-    ///
-    /// # Errors
-    /// Says what in `bytes` is not of this frame.
+    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &[u8], layout: ForceLayout) -> Result<Self, DecodeError> {
         let ForceLayout { packing, n_keys } = layout;
         let len = n_keys * packing.key_len();
@@ -119,9 +114,8 @@ impl KeyForces {
         })
     }
 
-    /// Writes the frame with zeros behind it; returns its length without them.
-    ///
-    /// It has slopes if there are any.
+    /// Writes the frame, with slopes if there are any, and zeros after it; returns its length
+    /// without the zeros.
     pub fn encode(&self, bytes: &mut [u8; MAX_LEN]) -> usize {
         let packing = self.packing();
         let (start, rest) = bytes.split_at_mut(HEADER_LEN);
@@ -139,7 +133,6 @@ impl KeyForces {
         packing.frame_len(self.forces.as_slice().len()).min(MAX_LEN)
     }
 
-    /// Returns how this frame is packed.
     pub const fn packing(&self) -> ForcePacking {
         if self.slopes.is_empty() { ForcePacking::Force16 } else { ForcePacking::Force16Slope }
     }

@@ -1,4 +1,4 @@
-//! Where a board's keys are: board → host, at the rate that was agreed.
+//! Positions of a board's keys: board → host, at the agreed rate.
 //!
 //! ```text
 //! byte 0..3   header, kind 3; board time is when the encoders were read; flag: the board
@@ -20,7 +20,7 @@ use crate::quantity::{Counts, SpeedCode};
 
 pub const MAX_LEN: usize = MAX_FRAME;
 
-/// How each key is packed.
+/// Packing of each key's sample.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 #[repr(u8)]
 pub enum SamplePacking {
@@ -34,16 +34,15 @@ pub enum SamplePacking {
 }
 
 impl SamplePacking {
-    /// All packings, the poorest first.
+    /// All packings, the one with the least information first.
     pub const ALL: [Self; 4] =
         [Self::Position16, Self::Position24, Self::Position16Velocity, Self::Position24Velocity];
 
-    /// Returns the packing with this number.
     pub fn new(number: u8) -> Option<Self> {
         Self::ALL.get(usize::from(number)).copied()
     }
 
-    /// Returns the bytes for one key.
+    /// Returns the length of one key (bytes).
     pub const fn key_len(self) -> usize {
         match self {
             Self::Position16 => 2,
@@ -53,35 +52,32 @@ impl SamplePacking {
         }
     }
 
-    /// Returns the bytes of a frame with `n_keys` keys, without padding.
+    /// Returns the length of a frame with `n_keys` keys, without padding (bytes).
     pub const fn frame_len(self, n_keys: usize) -> usize {
         HEADER_LEN + n_keys * self.key_len()
     }
 
-    /// Tells whether positions have 16 bits only.
+    /// Returns `true` if positions have only 16 bits.
     const fn is_short(self) -> bool {
         matches!(self, Self::Position16 | Self::Position16Velocity)
     }
 
-    /// Tells whether there is a velocity.
     pub const fn has_velocity(self) -> bool {
         matches!(self, Self::Position16Velocity | Self::Position24Velocity)
     }
 }
 
-/// What was agreed of a board's samples.
+/// Agreed layout of a board's samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SampleLayout {
-    /// How each key is packed.
     pub packing: SamplePacking,
-    /// How many keys there are.
     pub n_keys: usize,
 }
 
-/// The positions of one board's keys at one time, with velocities if the packing has them.
+/// Positions of one board's keys at one time, with velocities if the packing has them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeySamples {
-    /// Who sends, and when the encoders were read.
+    /// The sender, and the time at which the encoders were read.
     pub header: Header,
     /// Position of each key, in the order of slots.
     pub positions: PerKey<Counts>,
@@ -90,10 +86,7 @@ pub struct KeySamples {
 }
 
 impl KeySamples {
-    /// Reads a frame, padded or not; never panics, whatever the bytes.
-    ///
-    /// # Errors
-    /// Says what in `bytes` is not of this frame.
+    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &[u8], layout: SampleLayout) -> Result<Self, DecodeError> {
         let SampleLayout { packing, n_keys } = layout;
         let len = n_keys * packing.key_len();
@@ -110,9 +103,9 @@ impl KeySamples {
         Ok(Self { header, positions, velocities })
     }
 
-    /// Writes the frame with zeros behind it; returns its length without them.
+    /// Writes the frame and zeros after it; returns its length without them.
     ///
-    /// A key without a velocity, in a packing that has one, stands still.
+    /// A missing velocity is written as 0.
     pub fn encode(&self, packing: SamplePacking, bytes: &mut [u8; MAX_LEN]) -> usize {
         let (start, rest) = bytes.split_at_mut(HEADER_LEN);
         rest.fill(0);
@@ -129,7 +122,6 @@ impl KeySamples {
     }
 }
 
-/// Returns the position in one key's bytes.
 fn position(packing: SamplePacking, key: &[u8]) -> Counts {
     match *key {
         [low, high, ..] if packing.is_short() => {
@@ -140,7 +132,6 @@ fn position(packing: SamplePacking, key: &[u8]) -> Counts {
     }
 }
 
-/// Writes one key's bytes.
 fn put(packing: SamplePacking, place: &mut [u8], counts: Counts, velocity: SpeedCode) {
     let positions = if packing.is_short() { 2 } else { 3 };
     let bytes = if packing.is_short() {

@@ -1,10 +1,10 @@
-//! The frames, one per file: field map, meaning, decode, encode, tests.
+//! The frames, one per module: field map, meaning, decode, encode.
 //!
 //! ```text
 //! byte 0      bits 7..5 kind, bit 4 flag, bits 3..0 board; 15 is all boards
 //! ```
 //!
-//! Cyclic frames go on:
+//! Cyclic frames continue:
 //!
 //! ```text
 //! byte 1      sequence
@@ -12,9 +12,8 @@
 //! byte 4..    values for each key
 //! ```
 //!
-//! After the last value come zeros or nothing: CAN FD has only certain lengths. How many keys
-//! there are and how they are packed was agreed before, see [`crate::acyclic::stream`] and
-//! [`crate::acyclic::arm`].
+//! Zeros or nothing follow the last value: CAN FD has only certain lengths. The number of keys and
+//! their packing were agreed before, see [`crate::acyclic::stream`] and [`crate::acyclic::arm`].
 
 pub mod broadcast;
 pub mod hello;
@@ -33,17 +32,17 @@ mod field {
     pub(super) const HEADER_LEN: usize = 4;
 }
 
-/// The header of cyclic frames (bytes).
+/// Length of the header of cyclic frames (bytes).
 pub const HEADER_LEN: usize = field::HEADER_LEN;
 
-/// What a board field holds that means all boards.
+/// Value of a board field that means all boards.
 pub const ALL_BOARDS: u8 = field::BOARD;
 
-/// What a frame is.
+/// Kind of a frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum FrameKind {
-    /// Host to all boards, one of a few.
+    /// Host to all boards: see [`broadcast`].
     Broadcast = 0,
     /// Host to one board: forces.
     KeyForces = 1,
@@ -55,12 +54,11 @@ pub enum FrameKind {
     Request = 4,
     /// Board to host: its answer.
     Reply = 5,
-    /// Board to host: who it is.
+    /// Board to host: its identity.
     Hello = 6,
 }
 
 impl FrameKind {
-    /// All kinds, in the order of their numbers.
     pub const ALL: [Self; 7] = [
         Self::Broadcast,
         Self::KeyForces,
@@ -71,80 +69,75 @@ impl FrameKind {
         Self::Hello,
     ];
 
-    /// Returns the kind that a frame says it is; none if it is empty or of no known kind.
+    /// Returns the kind of a frame; `None` if it is empty or of an unknown kind.
     pub fn of(frame: &[u8]) -> Option<Self> {
         Self::ALL.get(usize::from(frame.first()? >> field::KIND_SHIFT)).copied()
     }
 }
 
-/// Returns the board that a frame is from or for; none if it is for all, or empty.
+/// Returns the sender or receiver of a frame; `None` if it is for all boards, or empty.
 pub fn board_of(frame: &[u8]) -> Option<BoardId> {
     BoardId::new(frame.first()? & field::BOARD)
 }
 
-/// What stands at the head of every cyclic frame.
+/// Header of every cyclic frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Header {
-    /// The board that sends, or that is meant.
+    /// Sender or receiver.
     pub board: BoardId,
-    /// Of samples, their number; of forces, the number of the samples that they answer.
+    /// Number of the samples, or of the samples that the forces answer.
     pub sequence: SequenceNumber,
     /// Board time of the samples (us).
     pub stamp_us: u16,
-    /// From a board: it renders no forces, for whatever reason; its hello says which. From the
-    /// host: render no force.
+    /// From a board: it renders no forces, for the reason in its hello. From the host: render no
+    /// force.
     pub flag: bool,
 }
 
-/// Why bytes are not the frame that was asked for.
+/// Reason why bytes are not the expected frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DecodeError {
-    /// Too short, or longer than this frame can be.
+    /// Too short, or longer than the frame can be.
     Length { got: usize },
-    /// Another kind of frame, or none; the number that stands there.
+    /// Another kind of frame, or none, by its number.
     Kind(u8),
-    /// No board has this number.
     NoSuchBoard(u8),
-    /// Spoken by another generation of the protocol, with this major number.
+    /// Another major version of the protocol.
     Version(u8),
-    /// It does not begin as a hello does.
+    /// The frame does not begin as a hello.
     Magic,
-    /// Something follows the last value.
+    /// Nonzero bytes follow the last value.
     Padding,
-    /// A value that has no meaning: which byte.
+    /// Invalid value in this byte.
     Value { at: usize },
 }
 
-/// Returns the first byte of a frame.
 pub(crate) const fn head(kind: FrameKind, board: u8) -> u8 {
     (kind as u8) << field::KIND_SHIFT | board & field::BOARD
 }
 
-/// Checks that `first` starts a frame of `kind`.
 pub(crate) const fn check_kind(first: u8, kind: FrameKind) -> Result<(), DecodeError> {
     let found = first >> field::KIND_SHIFT;
     if found == kind as u8 { Ok(()) } else { Err(DecodeError::Kind(found)) }
 }
 
-/// Checks the kind of a frame for or from one board, and reads which.
+/// Checks the kind of a frame for or from one board, and returns the board.
 pub(crate) fn check_board(first: u8, kind: FrameKind) -> Result<BoardId, DecodeError> {
     check_kind(first, kind)?;
     let board = first & field::BOARD;
     BoardId::new(board).ok_or(DecodeError::NoSuchBoard(board))
 }
 
-/// Tells whether the flag is set in the first byte.
 pub(crate) const fn flag(first: u8) -> bool {
     first >> field::FLAG_SHIFT & 1 != 0
 }
 
-/// Checks that nothing but zeros fill `bytes`.
 pub(crate) fn check_padding(bytes: &[u8]) -> Result<(), DecodeError> {
     if bytes.iter().any(|byte| *byte != 0) { Err(DecodeError::Padding) } else { Ok(()) }
 }
 
 impl Header {
-    /// Reads the header of a cyclic frame of `kind`; returns it with exactly `len` bytes of
+    /// Decodes the header of a cyclic frame of `kind`; returns it with exactly `len` bytes of
     /// values, after a check that only padding follows.
     fn decode(bytes: &[u8], kind: FrameKind, len: usize) -> Result<(Self, &[u8]), DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
@@ -162,7 +155,6 @@ impl Header {
         Ok((header, values))
     }
 
-    /// Writes the header of a frame of `kind`.
     fn encode(self, kind: FrameKind, bytes: &mut [u8; field::HEADER_LEN]) {
         let [low, high] = self.stamp_us.to_le_bytes();
         let flag = u8::from(self.flag) << field::FLAG_SHIFT;

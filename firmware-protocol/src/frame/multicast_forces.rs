@@ -3,47 +3,41 @@
 //! ```text
 //! byte 0      kind 2, flag: render no force, bits 3..0 group g
 //! byte 1      sequence
-//! byte 2..3   bus time [us] when the forces were worked out, see [`super::broadcast`]
+//! byte 2..3   bus time [us] when the forces were computed, see [`super::broadcast`]
 //! byte 4..64  force of the keys 30 g .. 30 g + 29 [mN]
 //! ```
 //!
 //! 64 bytes exactly. Three frames carry a whole keyboard, where eight boards would take eight;
-//! each board picks its own keys. The forces are valid until their bus time plus the time
-//! that was agreed when the board was armed; a board that has heard no bus time for a second
-//! takes none.
+//! each board picks its own keys. The forces are valid until their bus time plus the time that
+//! was agreed at arming; a board without bus time for a second accepts none.
 
 use super::{DecodeError, FrameKind, check_kind, flag, head};
 use crate::MAX_FRAME;
 use crate::quantity::Millinewtons;
 use crate::sequence::SequenceNumber;
 
-/// Keys in one frame.
 pub const GROUP: usize = 30;
-/// Frames for a full compass.
+/// Number of frames for a full compass.
 pub const GROUPS: usize = 3;
 
-/// The length of the frame: CAN FD's longest.
+/// Length of the frame: CAN FD's longest (bytes).
 pub const LEN: usize = MAX_FRAME;
 
 /// The forces of thirty keys.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MulticastForces {
-    /// Which thirty, `0 ..= 2`.
+    /// Group of thirty keys, `0 ..= 2`.
     pub group: u8,
-    /// The number of this frame among those of its group.
+    /// Number of this frame among those of its group.
     pub sequence: SequenceNumber,
-    /// Bus time (us) when the forces were worked out.
+    /// Bus time when the forces were computed (us).
     pub stamp_us: u16,
     pub flag: bool,
-    /// Force of each key.
     pub forces: [Millinewtons; GROUP],
 }
 
 impl MulticastForces {
-    /// Reads a frame; never panics, whatever the bytes.
-    ///
-    /// # Errors
-    /// Says what in `bytes` is not of this frame.
+    /// Decodes a frame; never panics.
     pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
         let bytes: &[u8; LEN] =
             bytes.try_into().map_err(|_other_length| DecodeError::Length { got: bytes.len() })?;
@@ -67,7 +61,6 @@ impl MulticastForces {
         })
     }
 
-    /// Returns the frame's bytes.
     pub fn encode(&self) -> [u8; LEN] {
         let mut bytes = [0; LEN];
         let [low, high] = self.stamp_us.to_le_bytes();

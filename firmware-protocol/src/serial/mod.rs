@@ -1,17 +1,16 @@
-//! The same frames on a byte stream.
+//! Frames on a byte stream.
 //!
 //! ```text
 //! frame ++ CRC (2 bytes, little-endian)  →  COBS: no zero inside  →  0x00
 //! ```
 //!
-//! A receiver that joins in the middle, or has lost bytes, is in step again after the
-//! next zero.
+//! A receiver that joins in the middle, or has lost bytes, is in step again after the next zero.
 
 mod cobs;
 mod crc;
 
 pub use crate::MAX_FRAME;
-/// The longest frame on the stream: checksum, one byte of stuffing, the closing zero.
+/// Length of the longest frame on the stream: checksum, one byte of stuffing, closing zero (bytes).
 pub const MAX_WIRE: usize = MAX_FRAME + crc::LEN + cobs::OVERHEAD + 1;
 
 const END: u8 = 0;
@@ -19,25 +18,22 @@ const END: u8 = 0;
 /// The frame is longer than [`MAX_FRAME`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TooLong {
-    /// Length of the frame (bytes).
     pub len: usize,
 }
 
-/// Why what stood between two zeros was not a frame.
+/// Reason why the bytes between two zeros are not a frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FramingError {
-    /// More bytes came than any frame has.
+    /// More bytes than any frame has.
     TooLong,
     /// The stuffing points outside the frame.
     Stuffing,
-    /// The checksum is another one, or there is none.
+    /// The checksum is different or missing.
     Checksum,
 }
 
-/// Writes `frame` as it travels on the stream; returns how many bytes of `wire` it takes.
-///
-/// # Errors
-/// Refuses a frame that is longer than [`MAX_FRAME`].
+/// Encodes `frame` for the stream; returns the length in `wire`. Rejects a frame that is longer
+/// than [`MAX_FRAME`].
 pub fn encode(frame: &[u8], wire: &mut [u8; MAX_WIRE]) -> Result<usize, TooLong> {
     let too_long = TooLong { len: frame.len() };
     if MAX_FRAME < frame.len() {
@@ -67,10 +63,10 @@ impl Default for Deframer {
 }
 
 impl Deframer {
-    /// Takes the next byte; returns a frame when it was the last of one.
+    /// Accepts the next byte; returns a frame after its last byte.
     ///
-    /// An error ends with the zero that it was found at: what follows is read afresh.
-    /// Zeros without anything between them are nothing.
+    /// An error ends at the zero that reports it; the next byte starts afresh. Zeros without bytes
+    /// between them are ignored.
     pub fn push(&mut self, byte: u8) -> Option<Result<&[u8], FramingError>> {
         if byte != END {
             self.keep(byte);
@@ -84,7 +80,7 @@ impl Deframer {
     }
 
     fn keep(&mut self, byte: u8) {
-        // The last place is the closing zero's, which is never kept.
+        // The last position belongs to the closing zero, which is never kept.
         if self.n < MAX_WIRE - 1 {
             self.buffer[self.n] = byte;
             self.n += 1;
@@ -94,7 +90,7 @@ impl Deframer {
     }
 }
 
-/// Unstuffs `bytes` in place and returns the frame if its checksum is right.
+/// Unstuffs `bytes` in place and returns the frame if its checksum is correct.
 fn open(bytes: &mut [u8]) -> Result<&[u8], FramingError> {
     let body = cobs::unstuff(bytes).ok_or(FramingError::Stuffing)?;
     let (frame, checksum) = body.split_last_chunk().ok_or(FramingError::Checksum)?;
