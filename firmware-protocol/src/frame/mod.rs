@@ -101,6 +101,7 @@ pub enum DecodeError {
     Length { got: usize },
     /// Another kind of frame, or none, by its number.
     Kind(u8),
+    /// Not the number of a board.
     NoSuchBoard(u8),
     /// Another major version of the protocol.
     Version(u8),
