@@ -1,15 +1,15 @@
-//! A table and functions become a model that a key can play.
+//! Models that a key can play, from a table and functions.
 //!
-//! [`equations`] makes a model of `pode` from functions by number, without the standard library;
-//! the rest makes of that what voices, commands and panels use.
+//! [`equations`] builds a model of `pode` from functions by number, without the standard library;
+//! the other modules build from it the model for voices, commands and panels.
 //!
-//! One folder per model of the paper and its neighbours: `model.toml` is its description, and
-//! `README.md` says what its coordinates, modes and guards are, where it comes from, and where it
-//! stops being true. The crate `descriptions` reads them, and whatever a user writes, into a
-//! [`LoadedModel`], which all voices and commands that use the model share by `Arc`.
+//! Each model of the paper and its neighbours has a folder: `model.toml` is its description;
+//! `README.md` states its coordinates, modes and guards, its origin and its validity. The crate
+//! `mechanism` reads these and a user's descriptions into a [`LoadedModel`], which all voices and
+//! commands share by `Arc`.
 //!
-//! Not here: time stepping, estimation of the key's motion, forces in newtons at the
-//! finger. A model's input and readout are in its own generalised coordinate.
+//! Not here: time stepping, estimation of the key's motion, forces in newtons at the finger. A
+//! model's input and readout are in its own generalised coordinate.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! What a model says about itself: names, parameters, presets, how a key plays it.
+//! Descriptions of models: names, parameters, presets, playing by a key.
 
 use alloc::sync::Arc;
 
@@ -10,15 +10,14 @@ use crate::model::entry::{ModeEntry, ModelEntry};
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
 
-/// A model whose structural modes have names, and each mode a number.
+/// A model with names for its structural modes, and a number for each mode.
 pub trait NamedModes: Model {
-    /// Returns what all voices of the model share.
+    /// Returns the data that all voices of the model share.
     fn shared(&self) -> &Arc<ModelParts>;
 
-    /// Returns the number of `mode`.
     fn mode_code(&self, mode: Self::Mode) -> ModeCode;
 
-    /// Returns the mode with this number, if there is one.
+    /// Returns the mode with this number; `None` if there is none.
     fn mode(&self, number: ModeCode) -> Option<Self::Mode>;
 
     /// Returns every structural mode with its name, with all contacts open.
@@ -30,10 +29,10 @@ pub trait NamedModes: Model {
     }
 }
 
-/// A model with a name, parameters, and names for all that it has.
+/// A model with a name, parameters, and names for all its quantities.
 ///
-/// All of it belongs to the value, not to the type: one type is every model that is read from a
-/// file. Its state is an array, so that entries can be set by name: `x.as_mut()[index]`.
+/// The description belongs to the value, since one type is every model from a file. The state is an
+/// array, so that entries can be set by name: `x.as_mut()[index]`.
 pub trait Described:
     NamedModes<Input = Motion, State: AsMut<[f64]>>
     + Resets
@@ -44,29 +43,27 @@ pub trait Described:
     + Send
     + 'static
 {
-    /// Returns names, units, parameters and presets.
     fn entry(&self) -> &ModelEntry {
         self.shared()
     }
 
-    /// The same model with one value per parameter; a missing one is taken from the default
-    /// preset.
+    /// Returns the model with one value per parameter; a missing one comes from the default preset.
     #[must_use]
     fn with_values(&self, values: &[f64]) -> Self;
 
     /// Writes the outputs, forces first, for files and plots.
     fn outputs(&self, mode: Self::Mode, x: &Self::State, input: &Motion, out: &mut [f64]);
 
-    /// Calls `report` with each condition on the parameters that these values do not meet, as people
-    /// read it: `string > trip`.
+    /// Calls `report` with each condition on the parameters that these values violate, in readable
+    /// form: `string > trip`.
     fn unmet(&self, report: &mut dyn FnMut(&str));
 
-    /// At rest under a constant input, or where the parameters say that it starts: a
+    /// Returns the state at rest under a constant input, or the start that the parameters state: a
     /// `y0` above 0 is a drop.
     fn at_rest(&self, input: &Motion) -> (Self::Mode, Self::State);
 
-    /// Returns where the model begins at `x` in the structural mode of `mode`: constraints hold,
-    /// and what overlaps is closed.
+    /// Returns the start at `x` in the structural mode of `mode`: constraints hold, and overlapping
+    /// contacts are closed.
     fn begin(
         &self,
         mode: Self::Mode,
@@ -79,31 +76,30 @@ pub trait Described:
 
 /// A model that can be rendered on a key.
 pub trait Playable: Described {
-    /// The damper that the key lifts.
+    /// Returns the damper that the key lifts.
     fn damper(&self) -> Damper {
         let damper = self.shared().table().sound.damper;
         damper.map_or(Damper::USUAL, |it| Damper { lift: it.lift, fall: it.fall })
     }
 
-    /// Speed below which what strikes touches the string but does not sound (m/s).
+    /// Returns the speed below which a strike does not sound (m/s).
     fn softest_tone(&self) -> f64 {
         let damper = self.shared().table().sound.damper;
         damper.map_or(Damper::USUAL_SOFTEST_TONE, |it| it.softest_tone)
     }
 
-    /// What becomes of strikes and of the key's force in MIDI.
+    /// Returns the conversion of strikes and of the key's force to MIDI.
     fn midi(&self) -> MidiTable {
         self.shared().table().sound.midi
     }
 
-    /// Input per metre of key-front travel (unit of the input / m); a force at the
+    /// Returns the input per metre of key-front travel (unit of the input / m); a force at the
     /// finger is the readout times this.
     fn input_per_metre(&self) -> f64;
 
-    /// What firing `guard` in `before` sounds, if anything.
+    /// Returns the sound of `guard` when it fires in `before`, if any.
     fn sounding(&self, guard: GuardId, before: &Self::State) -> Option<Sounding>;
 
-    /// Draws the mechanism, with these values.
     fn draw(&self, _sketch: &mut dyn Sketch) {}
 }
 
@@ -112,38 +108,38 @@ pub trait Playable: Described {
 /// `lift` is above `fall` by many encoder counts, so that a key held at a height does not chatter.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Damper {
-    /// Key-front travel at which it leaves the string (m).
+    /// Key-front travel at which the damper leaves the string (m).
     pub lift: f64,
-    /// Key-front travel at which it is back on the string (m).
+    /// Key-front travel at which the damper is back on the string (m).
     pub fall: f64,
 }
 
 impl Damper {
-    /// Of a description that says nothing of a damper: at half of the usual dip (piano-facts).
+    /// Default of a description without damper: at half of the usual dip (piano-facts).
     pub const USUAL: Self = Self { lift: 5.0e-3, fall: 4.6e-3 };
 
-    /// Softest tone of a description that says nothing of it (m/s).
+    /// Default softest tone (m/s).
     ///
-    /// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so that
-    /// the limit lies below the softest MIDI velocity of the Disklavier's curve.
+    /// Grands were measured to give no tone below 0.18 m/s (piano-facts). The default is a little
+    /// less, so that the limit is below the softest MIDI velocity of the Disklavier's curve.
     pub const USUAL_SOFTEST_TONE: f64 = 0.15;
 }
 
 /// Returns the speed of a grand's hammer (m/s) that is as loud as a strike at `speed` (m/s).
 ///
-/// The softest and the loudest strike of an instrument with these conventions are a grand's softest
-/// and loudest tone, and those between go by logarithms, as loudness is heard.
+/// The softest and the loudest strike of an instrument with these conventions map to a grand's
+/// softest and loudest tone, and those between logarithmically, as loudness is heard.
 pub fn hammer_speed(midi: &MidiTable, speed: f64) -> f64 {
-    /// Of a grand (m/s) (Goebl, Bresin & Galembo 2005).
+    /// Softest and loudest tone of a grand (m/s) (Goebl, Bresin & Galembo 2005).
     const TONES: (f64, f64) = (0.18, 6.8);
     let Some((softest, loudest)) = midi.speeds else { return speed };
     let place = (speed.max(f64::MIN_POSITIVE) / softest).ln() / (loudest / softest).ln();
     TONES.0 * (TONES.1 / TONES.0).powf(place)
 }
 
-/// A guard's firing that is heard.
+/// The sound of a guard that fires.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Sounding {
-    /// Speed of what strikes (m/s).
+    /// Speed of the strike (m/s).
     pub speed: f64,
 }

@@ -1,4 +1,4 @@
-//! What is known of a model without building one.
+//! Data of a model that needs no instance.
 #![expect(
     clippy::disallowed_types,
     clippy::disallowed_macros,
@@ -21,15 +21,14 @@ pub type SharedFunctions = Arc<dyn Functions>;
 /// A parameter of a model, with its unit and range.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Parameter {
-    /// Name in scenes, on the command line and in files.
     pub name: &'static str,
-    /// Name for people; equal to `name` where it needs no other.
+    /// Title for people; equals `name` by default.
     pub title: Box<str>,
     /// SI unit; `"1"` for a ratio.
     pub unit: &'static str,
     /// Smallest and largest allowed value.
     pub range: (f64, f64),
-    /// What it is, in one line.
+    /// One-line description.
     pub doc: Box<str>,
 }
 
@@ -37,7 +36,7 @@ pub struct Parameter {
 #[derive(Clone)]
 pub struct Preset {
     pub name: &'static str,
-    /// What it is, in one line.
+    /// One-line description.
     pub doc: Box<str>,
     functions: SharedFunctions,
     values: FunctionId,
@@ -45,7 +44,6 @@ pub struct Preset {
 }
 
 impl Preset {
-    /// Returns the values of all parameters for a key, 0 (A0) ..= 87 (C8).
     pub fn values(&self, key: u8) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.parameters];
         let extra = [f64::from(key)];
@@ -54,7 +52,6 @@ impl Preset {
         values
     }
 
-    /// Returns the value of the parameter with this index for a key.
     pub fn value(&self, parameter: usize, key: u8) -> f64 {
         self.values(key).get(parameter).copied().unwrap_or(f64::NAN)
     }
@@ -66,41 +63,34 @@ impl fmt::Debug for Preset {
     }
 }
 
-/// What is known of a model without building one.
+/// Data of a model that needs no instance.
 #[derive(Debug)]
 pub struct ModelEntry {
     /// Number of this version of the model in this process.
     id: u64,
-    /// Name in scenes and on the command line.
     pub name: &'static str,
-    /// What it is, in one line.
+    /// One-line description.
     pub summary: Box<str>,
-    /// The files it was read from; none of a model that is part of the program.
+    /// Files of the model; `None` for one that is part of the program.
     pub source: Option<ModelSource>,
     /// The parameters, in the order of [`Described::with_values`](crate::Described::with_values).
     pub parameters: Vec<Parameter>,
-    /// Its presets; the first is the default.
+    /// Presets; the first is the default.
     pub presets: Vec<Preset>,
-    /// Name of the input.
     pub input: &'static str,
-    /// SI unit of the input.
     pub input_unit: &'static str,
-    /// Names of its state's entries.
     pub states: Vec<&'static str>,
-    /// SI unit of each of them.
     pub state_units: Vec<&'static str>,
-    /// How many leading entries of the state are coordinates.
+    /// Number of leading entries of the state that are coordinates.
     pub coordinates: usize,
-    /// Its structural modes, in the order of their numbers.
+    /// Structural modes, in the order of their numbers.
     pub modes: Vec<ModeEntry>,
-    /// Names of its outputs.
     pub outputs: Vec<&'static str>,
-    /// SI unit of each of them.
     pub output_units: Vec<&'static str>,
 }
 
 impl ModelEntry {
-    /// Returns the entry of the model of `table`, as a version of its own.
+    /// Returns the entry of the model of `table`, as a new version.
     pub(crate) fn new(
         table: &ModelTable,
         functions: &SharedFunctions,
@@ -141,7 +131,6 @@ impl ModelEntry {
         }
     }
 
-    /// Returns the number of this version of the model in this process.
     pub const fn id(&self) -> u64 {
         self.id
     }
@@ -151,24 +140,23 @@ impl ModelEntry {
         self.id == other.id
     }
 
-    /// Returns the path of its description; none of a model that is part of the program.
+    /// Returns the path of the description; `None` for a model that is part of the program.
     pub fn file(&self) -> Option<&str> {
         self.source.as_ref().map(|source| source.file.as_str())
     }
 
-    /// Returns the number of its version; 0 of a model that is part of the program.
+    /// Returns the version of the description; 0 for a model that is part of the program.
     pub fn version(&self) -> u32 {
         self.source.as_ref().map_or(0, |source| source.version)
     }
 
-    /// Returns the unit of the guard called `name`; empty if there is none or it is not known.
+    /// Returns the unit of the guard called `name`; empty if it is unknown.
     pub fn guard_unit(&self, name: &str) -> &'static str {
         let mut guards = self.modes.iter().flat_map(|mode| &mode.guards);
         guards.find(|guard| guard.name == name).map_or("", |guard| guard.unit)
     }
 
-    /// Returns the outputs that are of use to people; behind them are the poses that a drawing
-    /// follows.
+    /// Returns the outputs for people, without the poses that a drawing follows.
     pub fn quantities(&self) -> &[&'static str] {
         let count = self.outputs.iter().take_while(|name| !is_pose(name)).count();
         self.outputs.split_at(count).0
@@ -180,7 +168,7 @@ impl ModelEntry {
     }
 }
 
-/// A structural mode: its mechanics, and how it ends.
+/// A structural mode with its mechanics and guards.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ModeEntry {
     pub name: &'static str,
@@ -190,12 +178,12 @@ pub struct ModeEntry {
     pub m: u8,
     /// Degrees of freedom, n − m.
     pub p: u8,
-    /// The guards, in the order of the model's own list.
+    /// Guards, in the order of the model's list.
     pub guards: Vec<GuardEntry>,
 }
 
 impl ModeEntry {
-    /// A mode with its guards, and behind them the contacts that can close in it, which change no
+    /// Lists the guards of a mode, then the contacts that can close in it without a change of
     /// structure.
     fn new(table: &ModelTable, mode: &ModeTable) -> Self {
         let name = |mode: u8| table.modes.get(usize::from(mode)).map(|mode| mode.name);
@@ -223,12 +211,12 @@ impl ModeEntry {
     }
 }
 
-/// A guard of a mode, and where it leads.
+/// A guard of a mode, with the modes after it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct GuardEntry {
     pub name: &'static str,
-    /// SI unit; empty if it is not known.
+    /// SI unit; empty if unknown.
     pub unit: &'static str,
-    /// The modes that may come next.
+    /// Possible next modes.
     pub to: Vec<&'static str>,
 }

@@ -1,4 +1,4 @@
-//! The few types of which all models are, and what is done with one of any of them.
+//! The few types of all models, and operations on a model of any of them.
 
 use alloc::sync::Arc;
 use core::ops::Deref;
@@ -15,24 +15,24 @@ use crate::model::source::ModelSource;
 
 pub use crate::model::entry::SharedFunctions;
 
-/// Most states, and most parameters and numbers that follow from them, of a model.
+/// Maximum number of states, and of constants (parameters and derived numbers), of a model.
 pub const LARGEST: (usize, usize) = (32, 512);
 
 /// A model without contacts, with N states and C constants.
 type Loaded<const N: usize, const C: usize> = EquationModel<Arc<ModelParts>, N, C>;
 
-/// Why a model cannot be loaded, with how many there are.
+/// Reason why a model cannot be loaded, with the number found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DoesNotLoad {
-    /// More states than [`LARGEST`] has.
+    /// More states than in [`LARGEST`].
     States(usize),
-    /// More constants than [`LARGEST`] has.
+    /// More constants than in [`LARGEST`].
     Constants(usize),
     /// More modes than a model can have.
     Modes(usize),
     /// More contacts than [`MAX_CODED_CONTACTS`].
     Contacts(usize),
-    /// More guards, contacts and frictions than can be followed.
+    /// More guards, contacts and frictions than `pode` can watch.
     Guards,
 }
 
@@ -55,18 +55,17 @@ impl From<TooManyGuards> for DoesNotLoad {
     }
 }
 
-/// A model of up to 4 states without contacts, for those who need its type.
+/// A model of up to 4 states without contacts, for callers that need its type.
 pub type SmallModel = Loaded<4, 192>;
 
-/// A model with contacts, or one that is large.
+/// A model with contacts, or a large one.
 type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 
 /// A model with the values of its default preset, as one of a few types.
 ///
-/// The types differ by what their arrays hold, so that a model in the tick needs no heap and a new
-/// description no new type. Each of them is compiled with all methods wherever models are visited,
-/// so there are no more than pay: a large model, or one with contacts, hardly notices room that it
-/// does not need.
+/// The types differ by the size of their arrays, so that a model in the tick needs no heap and a
+/// new description no new type. Each type is compiled with all methods wherever models are visited,
+/// so there are few: a large model, or one with contacts, hardly notices spare room.
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
 enum Prototype {
@@ -81,7 +80,7 @@ enum Prototype {
 }
 
 impl Prototype {
-    /// The smallest type into which the model fits.
+    /// Uses the smallest type into which the model fits.
     #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
     fn new(parts: Arc<ModelParts>) -> Result<Self, DoesNotLoad> {
         let table = parts.table();
@@ -102,7 +101,7 @@ impl Prototype {
     }
 }
 
-/// A model that was read from a description: its entry, and the model itself for a [`Visitor`].
+/// A model from a description: its entry, and its value for a [`Visitor`].
 #[derive(Debug)]
 pub struct LoadedModel {
     parts: Arc<ModelParts>,
@@ -110,11 +109,8 @@ pub struct LoadedModel {
 }
 
 impl LoadedModel {
-    /// Returns the model of `table` and `functions`, as a version of its own; `source` is
-    /// where it was read from.
-    ///
-    /// # Errors
-    /// A model that is larger than any that can be loaded.
+    /// Builds the model of `table` and `functions` as a new version; `source` are its files. Fails
+    /// for a model that is too large.
     #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
     pub fn new(
         table: ModelTable,
@@ -126,12 +122,12 @@ impl LoadedModel {
         Ok(Self { prototype: Prototype::new(Arc::clone(&parts))?, parts })
     }
 
-    /// Returns the model with its type, if it is small.
+    /// Returns the model with its type if it is small.
     pub fn small(&self) -> Option<SmallModel> {
         if let Prototype::Small(model) = &self.prototype { Some(model.clone()) } else { None }
     }
 
-    /// Does something with the model, which has the values of its default preset.
+    /// Calls `visitor` with the model, which has the values of its default preset.
     #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
     pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         match &self.prototype {
@@ -151,11 +147,10 @@ impl Deref for LoadedModel {
     }
 }
 
-/// Something to be done with a model whose type is known to its [`LoadedModel`] only.
+/// An operation on a model of a type that only its [`LoadedModel`] knows.
 pub trait Visitor: Sized {
-    /// What the visitor makes of a model.
     type Output;
 
-    /// Does it with `model`, which has the values of its default preset.
+    /// Runs on `model`, which has the values of its default preset.
     fn visit<M: Playable>(self, model: M) -> Self::Output;
 }

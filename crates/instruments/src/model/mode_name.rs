@@ -10,7 +10,7 @@ use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
 
 /// Writes the name of a structural mode and each contact that is not open, `B1 string=closed`; `?`
-/// for the number of no mode.
+/// for an unknown number.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeName<'a> {
     pub model: &'a ModelParts,
@@ -32,7 +32,6 @@ impl fmt::Display for ModeName<'_> {
     }
 }
 
-/// The word for what a contact that is not open does.
 const fn word(state: ContactState) -> &'static str {
     match state {
         ContactState::Open => "open",

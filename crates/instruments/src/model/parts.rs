@@ -1,4 +1,4 @@
-//! What all voices of a model share.
+//! Data that all voices of a model share.
 
 use core::ops::Deref;
 
@@ -6,7 +6,7 @@ use crate::equations::table::{Arguments, Equations, FunctionId, Functions, Model
 
 use crate::model::entry::{ModelEntry, SharedFunctions};
 
-/// The parts of a model that never change, shared by all that play it.
+/// Constant parts of a model, shared by all its voices.
 pub struct ModelParts {
     entry: ModelEntry,
     table: ModelTable,

@@ -1,4 +1,4 @@
-//! The same with contacts: a mode is a structural mode, and what each contact does.
+//! Models with contacts: a mode is a structural mode, and the state of each contact.
 
 use alloc::sync::Arc;
 
@@ -13,10 +13,10 @@ use crate::model::draw::Sketch;
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
 
-/// Most contacts whose states fit into a [`ModeCode`]: 5²⁴ is less than 2⁵⁶.
+/// Maximum number of contacts whose states fit into a [`ModeCode`]: 5²⁴ is less than 2⁵⁶.
 pub const MAX_CODED_CONTACTS: usize = 24;
 
-/// What a contact can do, each at the place of its digit.
+/// States of a contact in the order of their digits.
 const STATES: [ContactState; 5] = [
     ContactState::Open,
     ContactState::Closed,
@@ -25,7 +25,7 @@ const STATES: [ContactState; 5] = [
     ContactState::SlideDown,
 ];
 
-/// The states of `count` contacts as a number to the base 5, the first contact last.
+/// Encodes the states of `count` contacts as a number to the base 5, the first contact last.
 fn code(contacts: &ContactSet, count: usize) -> u64 {
     let digit = |contact| {
         let state = contacts.state(contact);
@@ -35,7 +35,7 @@ fn code(contacts: &ContactSet, count: usize) -> u64 {
     digits.fold(0, |code: u64, digit: u64| 5 * code + digit)
 }
 
-/// The states of `count` contacts of which this is the code; none if it is of more contacts.
+/// Decodes the states of `count` contacts; `None` if the code has more contacts.
 pub(in crate::model) fn decoded(code: u64, count: usize) -> Option<ContactSet> {
     let (mut set, mut rest) = (ContactSet::OPEN, code);
     for contact in 0..count.min(MAX_CODED_CONTACTS) {
@@ -68,7 +68,6 @@ impl<const N: usize, const C: usize> NamedModes
 impl<const N: usize, const C: usize> Described
     for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
 {
-    /// What had few enough contacts has them again.
     fn with_values(&self, values: &[f64]) -> Self {
         Self::new(self.system().with_values(values)).unwrap_or_else(|_unchanged| self.clone())
     }
@@ -87,7 +86,7 @@ impl<const N: usize, const C: usize> Described
         Described::unmet(self.system(), report);
     }
 
-    /// What overlaps at rest is closed, and what has friction sticks.
+    /// Closes contacts that overlap at rest; those with friction stick.
     fn at_rest(&self, input: &Motion) -> (ContactMode<ModeNumber>, [f64; N]) {
         let system = self.system();
         let (structure, x) = system.at_rest(input);
@@ -121,7 +120,6 @@ impl<const N: usize, const C: usize> Playable
         self.system().input_per_metre()
     }
 
-    /// Guards of the structure sound, and contacts that close.
     fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<Sounding> {
         match ContactGuard::of(guard) {
             ContactGuard::Structure(guard) => Playable::sounding(self.system(), guard, before),

@@ -5,10 +5,10 @@ use crate::equations::table::{BodyTable, Equations, OutlineTable};
 
 use crate::model::draw::{Body, Coil, Ends, Follow, Sketch};
 
-/// Most numbers of a drawing: its view, and 510 points.
+/// Maximum count of numbers in a drawing: its view, and 510 points.
 const MOST: usize = 1024;
 
-/// Draws `model` from the side; nothing if its drawing has more numbers than there is room for.
+/// Draws `model` from the side; draws nothing if its drawing has too many numbers.
 pub(super) fn draw<F: Equations + Clone, const N: usize, const C: usize>(
     model: &EquationModel<F, N, C>,
     sketch: &mut dyn Sketch,
@@ -35,13 +35,13 @@ pub(super) fn draw<F: Equations + Clone, const N: usize, const C: usize>(
     }
 }
 
-/// How many bodies of a sketch a body of the table is: one for what is always there, and one for
-/// each line that is not.
+/// Returns the number of sketch bodies of a table's body: one for the permanent lines, and one for
+/// each line of some modes only.
 fn drawn(body: &BodyTable) -> u32 {
     body.outlines.iter().filter(|outline| !outline.modes.is_empty()).map(|_| 1).sum::<u32>() + 1
 }
 
-/// Draws a body: what is always there, then what some modes have.
+/// Draws the permanent lines of a body, then those of some modes.
 fn draw_body(
     body: &BodyTable,
     outputs: &dyn Fn(usize) -> Option<&'static str>,

@@ -1,6 +1,4 @@
-//! Models made of a table and of functions by number, as what a key can play.
-//!
-//! One with contacts is a `WithContacts` of the same (`contacts.rs`).
+//! Playable models from a table and functions by number; `contacts` adds contacts.
 
 mod contacts;
 mod drawing;
