@@ -1,4 +1,4 @@
-//! What a model says about itself: outputs, requirements, how a key plays it, how it is drawn.
+//! Outputs, requirements, key ratio, sounds and drawing of a model.
 
 use pode::{GuardId, Motion};
 
@@ -8,10 +8,9 @@ use crate::equations::table::{Equations, FunctionId, RequirementTable};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Writes the outputs in the order of [`ModelTable::outputs`](crate::equations::table::ModelTable::outputs).
-    ///
-    /// `out` may be shorter: what has no place is left out.
+    /// A shorter `out` receives the first outputs.
     pub fn outputs(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, out: &mut [f64]) {
-        /// Most outputs that are found where there is no place for all of them.
+        /// Maximum number of outputs computed for a shorter `out`.
         const MOST: usize = 64;
         let function = self.mode_table(mode).forces.outputs;
         let count = self.table().outputs.len();
@@ -26,13 +25,12 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// Returns the input per metre of key-front travel (unit of the input / m).
     pub fn input_per_metre(&self) -> f64 {
         self.of_constants(self.table().input.per_metre)
     }
 
-    /// Returns the speed (m/s) of what strikes where `guard` fires from the state `before`; none
-    /// where that makes no sound.
+    /// Returns the speed of the strike (m/s) when `guard` fires from the state `before`; `None` if
+    /// it makes no sound.
     pub fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<f64> {
         let modes = self.table().modes.iter();
         let mut guards = modes.flat_map(|mode| &mode.guards).filter(|it| it.id == guard.0);
@@ -41,8 +39,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Some(speed)
     }
 
-    /// Returns the speed (m/s) of what strikes where `contact` closes from the state `before`; none
-    /// where it opens, or makes no sound.
+    /// Returns the speed of the strike (m/s) when `contact` closes from the state `before`; `None`
+    /// if it opens, or makes no sound.
     pub fn contact_sounding(&self, contact: usize, before: &[f64; N]) -> Option<f64> {
         let modes = self.table().modes.iter();
         let mut tables =
@@ -52,7 +50,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         (speed > 0.0).then_some(speed)
     }
 
-    /// Returns the conditions on the parameters that these values do not meet.
+    /// Returns the conditions on the parameters that these values violate.
     pub fn unmet(&self) -> impl Iterator<Item = &RequirementTable> + '_ {
         let is_unmet = |it: &&RequirementTable| {
             let margin = self.of_constants(it.margin);
@@ -61,8 +59,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.table().constants.requirements.iter().filter(is_unmet)
     }
 
-    /// Writes the numbers of the drawing, as many as
-    /// [`DrawingTable::count`](crate::equations::table::DrawingTable::count) says, if `out` has room for them.
+    /// Writes the [`count`](crate::equations::table::DrawingTable::count) numbers of the drawing, if
+    /// `out` has room for them.
     pub fn drawing_numbers(&self, out: &mut [f64]) {
         let drawing = &self.table().drawing;
         if out.len() >= drawing.count {
@@ -70,7 +68,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// A number that the constants give.
+    /// Returns a number that depends on the constants only.
     pub(crate) fn of_constants(&self, function: FunctionId) -> f64 {
         let [value] = self.values(function, &[0.0; N], &Motion::default());
         value

@@ -19,7 +19,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Energetic for Equatio
         self.balance_of_input(mode, x, input).dissipated
     }
 
-    /// All of it: the three share most of their terms.
+    /// Computes all three at once: they share most of their terms.
     #[inline]
     fn balance_of_input(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> EnergyBalance {
         let [energy, supplied, dissipated] =

@@ -1,4 +1,4 @@
-//! How natures are found: from Jacobians where the model rests.
+//! Natures of modes, from Jacobians at rest poses.
 
 use pode::{EquationKind, Guarded as _, Motion, Nature, Part};
 
@@ -8,21 +8,19 @@ use crate::equations::model::EquationModel;
 use crate::equations::natures::{MAX_MODE_PARTS, ModeNature, ModeNatures};
 use crate::equations::table::{Equations, FunctionId, ModeTable, PartTable};
 
-/// Travel of a key (m): at rest there and at rest above, rates are taken.
+/// Travel of a key between the two rest poses at which rates are computed (m).
 const TRAVEL: f64 = 0.01;
 
-/// Poses on the way from the one to the other, both included: where a mode holds at some of them,
-/// its rates are taken there.
+/// Number of poses between the two, both included: the rates count at those where the mode holds.
 const ON_THE_WAY: u8 = 9;
 
-/// How far the input may be ahead of the pose, as parts of the whole way: the finger presses.
+/// Lead of the input over the pose, as fractions of the whole travel: the finger presses.
 const AHEAD: [f64; 2] = [0.0, 0.1];
 
 /// A state at an input.
 type Pose<const N: usize> = ([f64; N], Motion);
 
 impl ModeNatures {
-    /// Finds the natures of all modes of `model`, whose constants are known.
     pub(crate) fn of<F: Equations + Clone, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,
     ) -> Self {
@@ -52,7 +50,7 @@ impl ModeNatures {
         natures
     }
 
-    /// Adds the parts of a mode that has several, behind those before; returns where they begin.
+    /// Appends the parts of a mode that has several; returns the index of the first.
     fn add_parts<F: Equations + Clone, const N: usize, const C: usize>(
         &mut self,
         model: &EquationModel<F, N, C>,
@@ -72,18 +70,17 @@ impl ModeNatures {
     }
 }
 
-/// The fastest rates (rad/s) of a mode and of its parts.
+/// Fastest rates (rad/s) of a mode and of its parts.
 struct Rates {
     whole: f64,
     parts: [f64; pode::MAX_PARTS],
 }
 
 impl Rates {
-    /// The largest over the poses on the way between two at which the mode holds, with its guards
-    /// positive; over these two where it holds at none.
+    /// Returns the largest rates over the poses between two at which the mode holds, with its
+    /// guards positive; over these two if it holds at none.
     ///
-    /// What a mode is far from where it holds says nothing: rubbing under a force that never comes
-    /// up there would be the fastest of all.
+    /// Other poses do not count: rubbing under a force that never occurs there would be the fastest.
     fn of<F: Equations + Clone, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,
         mode: ModeNumber,
@@ -114,7 +111,7 @@ impl Rates {
         rates
     }
 
-    /// Those of a Jacobian, where they are faster.
+    /// Adds the rates of a Jacobian where they are faster.
     fn add<const N: usize>(&mut self, table: &ModeTable, rows: &[[f64; N]; N]) {
         let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
         self.whole = self.whole.max(fastest_once(rows, moving));
@@ -128,7 +125,6 @@ impl Rates {
     }
 }
 
-/// The pose at a fraction of the way from one to another.
 fn between<const N: usize>(first: &Pose<N>, last: &Pose<N>, fraction: f64) -> Pose<N> {
     let at = |from: f64, to: f64| from + fraction * (to - from);
     let x = core::array::from_fn(|i| at(first.0[i], last.0[i]));
@@ -137,7 +133,7 @@ fn between<const N: usize>(first: &Pose<N>, last: &Pose<N>, fraction: f64) -> Po
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// The kind of equations with these values: conservative where nothing is lost.
+    /// Returns the kind of equations with these values: conservative if nothing is lost.
     fn kind(&self, kind: EquationKind, loss: Option<FunctionId>) -> EquationKind {
         let lost = |loss| {
             let [lost] = self.values(loss, &[0.0; N], &Motion::default());
@@ -149,7 +145,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// The part with its own nature, and with its own longest step where it may go ahead.
+    /// Returns the part with its own nature, and with its own longest step if it may go ahead.
     fn part(&self, part: Part, table: &PartTable, rate: f64) -> Part {
         let own = part.with_nature(Nature::new(self.kind(table.kind, table.loss), rate));
         match table.reads {

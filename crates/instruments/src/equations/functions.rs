@@ -1,9 +1,8 @@
-//! What an expression can apply beyond the elementary functions: the same bits in emitted Rust,
-//! in native code, and where an expression is evaluated by itself.
+//! Functions of expressions beyond the elementary ones: the same bits in native code and in an
+//! expression that is evaluated by itself.
 
 use crate::equations::softplus::Softplus;
 
-/// Returns −1, 0 or 1 by the sign of `x`.
 #[inline]
 pub fn sign(x: f64) -> f64 {
     if x > 0.0 {
@@ -15,15 +14,15 @@ pub fn sign(x: f64) -> f64 {
     }
 }
 
-/// Returns the smaller of two numbers; the first where one of them is not a number.
+/// Returns the smaller of two numbers; the first if one of them is NaN.
 ///
-/// One instruction, with one outcome on every machine: `f64::min` leaves the sign of zero open.
+/// One instruction, with one result on every machine: `f64::min` leaves the sign of zero open.
 #[inline]
 pub fn smaller(x: f64, y: f64) -> f64 {
     if y < x { y } else { x }
 }
 
-/// Returns the larger of two numbers; the first where one of them is not a number.
+/// Returns the larger of two numbers; the first if one of them is NaN.
 #[inline]
 pub fn larger(x: f64, y: f64) -> f64 {
     if y > x { y } else { x }

@@ -1,4 +1,4 @@
-//! The guards of a mode, and where each leads.
+//! The guards of a mode, and their resets.
 
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{
@@ -12,10 +12,10 @@ use crate::equations::table::{
     EnclosureLayout, Equations, FunctionId, GuardTable, RestingTable, WayTable,
 };
 
-/// A rebound slower than this is none (m/s): under gravity it would last 20 ps.
+/// Speed below which there is no rebound (m/s): under gravity it would last 20 ps.
 const STILL: f64 = 1e-10;
-/// Bodies that part slower than this (m/s) while their guard fires all the same: their hop
-/// is lost in the rounding of a place of 1 m, up to 5 km/s² of pressing.
+/// Parting speed below which a fired guard still counts as an impact (m/s): the rounding of a
+/// coordinate of 1 m hides the hop, up to 5 km/s² of pressing.
 const HOP: f64 = 1e-5;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
@@ -90,7 +90,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Resets for EquationMo
     }
 }
 
-/// Where a guard leads, whatever the model around the structure is.
+/// Target of a guard, without the model around the structure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Leads<const N: usize> {
     pub(crate) to: ModeNumber,
@@ -100,13 +100,12 @@ pub(crate) struct Leads<const N: usize> {
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// The table of a guard in a mode, if it has it.
     #[inline]
     pub(crate) fn guard_table(&self, mode: ModeNumber, id: GuardId) -> Option<&GuardTable> {
         self.mode_table(mode).guards.iter().find(|guard| guard.id == id.0)
     }
 
-    /// The bound that a function gives over a step; unknown without one, and where it is no number.
+    /// Returns the bound of a function over a step; unknown without a function, or if it is NaN.
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
     #[inline(always)]
     pub(crate) fn bound(
@@ -126,7 +125,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         GuardBound::new(moves, bend)
     }
 
-    /// Where a guard leads from `x`; it keeps everything where the table has no way for it.
+    /// Returns the target of a guard from `x`; it keeps everything if the table has no way out.
     pub(crate) fn leads(
         &self,
         mode: ModeNumber,
@@ -152,7 +151,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// An impact with a restitution: a rebound, a rest, or neither where the bodies part already.
+    /// Returns the target of an impact with restitution: a rebound, rest, or neither if the bodies
+    /// part already.
     fn met(
         &self,
         resting: RestingTable,
@@ -162,7 +162,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     ) -> Leads<N> {
         let [closing, restitution] = self.values(resting.meeting, x, input);
         if closing < -HOP {
-            // An input that jumped put one into the other.
+            // A jump of the input moved one body into the other.
             let state = self.with_places_of(&rebound.state, x);
             return Leads { to: from, state, impulse: 0.0, rests: None };
         }
@@ -175,7 +175,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// The coordinates of `places` with the speeds of `x`.
+    /// Returns the coordinates of `places` with the speeds of `x`.
     fn with_places_of(&self, places: &[f64; N], x: &[f64; N]) -> [f64; N] {
         let count = self.table().coordinates;
         core::array::from_fn(|i| if i < count { places[i] } else { x[i] })

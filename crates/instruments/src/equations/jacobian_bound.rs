@@ -5,20 +5,19 @@ use pode::State;
 /// A step of the fastest motion (rad).
 pub(crate) const RADIANS: f64 = 0.75;
 
-/// Rounds of the power iteration; a handful of oscillators need about six.
+/// Rounds of the power iteration; a few oscillators need about six.
 const ROUNDS: usize = 12;
 
-/// An upper bound of the largest magnitude of an eigenvalue of the rows and columns of `entries`:
-/// of the Perron root of their magnitudes, which for one oscillator is its rate.
+/// Returns an upper bound of the eigenvalues' magnitudes for the rows and columns of `entries`: of
+/// the Perron root of their magnitudes, which for one oscillator is its rate.
 ///
 /// For any positive v the root is at most the largest of (A v)_i/v_i (Collatz and Wielandt). Each
-/// round takes the geometric mean of v and A v, which goes to the eigenvector even where A v alone
-/// would go to and fro, as it does between places and speeds.
+/// round uses the geometric mean of v and A v, which converges to the eigenvector even where A v
+/// alone would oscillate, as between coordinates and speeds.
 pub(crate) fn fastest<const N: usize>(rows: &[[f64; N]; N], entries: u64, rounds: usize) -> f64 {
-    /// How far an entry falls back at the most in one round.
+    /// Largest decrease of an entry in one round.
     const FLOOR: f64 = 1e-6;
     let has = |index: usize| entries >> (index & 63) & 1 == 1;
-    // What no entry reaches is not looked at.
     let count = (u64::BITS - entries.leading_zeros()) as usize;
     let mut v = [1.0; N];
     let mut least = f64::INFINITY;
@@ -41,12 +40,11 @@ pub(crate) fn fastest<const N: usize>(rows: &[[f64; N]; N], entries: u64, rounds
     if least.is_finite() { least } else { 0.0 }
 }
 
-/// The bound that is taken once, where the model is made.
+/// Computes the bound once, when the model is built.
 pub(crate) fn fastest_once<const N: usize>(rows: &[[f64; N]; N], entries: u64) -> f64 {
     fastest(rows, entries, ROUNDS)
 }
 
-/// The matrix with the given rows.
 pub(crate) fn matrix<const N: usize>(rows: &[[f64; N]; N]) -> <[f64; N] as State>::Matrix {
     pode::Matrix::from_columns(|column: usize| rows.map(|row| row[column]))
 }
@@ -64,7 +62,7 @@ mod tests {
 
     #[test]
     fn no_eigenvalue_is_larger_and_the_bound_is_close() {
-        // Two masses of 1 and 0.25 kg: k = 100 N/m to the ground, 400 N/m between them.
+        // Masses of 1 and 0.25 kg: k = 100 N/m to the ground, 400 N/m between them.
         let rows = [
             [0.0, 0.0, 1.0, 0.0],
             [0.0, 0.0, 0.0, 1.0],

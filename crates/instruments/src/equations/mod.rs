@@ -1,13 +1,12 @@
-//! Models made of functions by number: what native code and the interpreter both fill in.
+//! Models from functions by number, which native code and the interpreter both fill in.
 //!
-//! [`table`] is what a model is apart from its arithmetic, and [`table::Functions`] that arithmetic;
-//! [`functions`] has what an expression can apply beyond the elementary functions of `pode`.
-//! [`EquationModel`] is a model of `pode` made of both, and one with contacts is
+//! [`table`] is a model without its arithmetic, [`table::Functions`] that arithmetic;
+//! [`functions`] contains functions of expressions beyond the elementary ones of `pode`.
+//! [`EquationModel`] combines both into a model of `pode`, and one with contacts is
 //! `WithContacts<EquationModel<..>>`.
 //!
-//! # What is not here
-//! Where the functions come from. Jacobians of friction: a mode that sticks is resolved by its
-//! structure's rates.
+//! Not here: the origin of the functions, and Jacobians of friction: a mode that sticks is resolved
+//! by its structure's rates.
 
 #![expect(
     clippy::same_name_method,

@@ -1,4 +1,4 @@
-//! A model made of a table and of functions by number.
+//! A model of a table and of functions by number.
 
 use pode::Motion;
 
@@ -8,8 +8,7 @@ use crate::equations::table::{Arguments, Equations, FunctionId, ModeTable, Model
 
 /// A model whose equations are functions by number, with its constants in the object.
 ///
-/// The state has N entries, of which those beyond the table's stay 0; there is room for C
-/// constants.
+/// The state has N entries; those beyond the table's stay 0. There is room for C constants.
 #[derive(Clone, Copy, Debug)]
 pub struct EquationModel<F, const N: usize, const C: usize> {
     functions: F,
@@ -19,19 +18,18 @@ pub struct EquationModel<F, const N: usize, const C: usize> {
 
 static NOTHING: ModeTable = ModeTable::NOTHING;
 
-/// Why a table does not fit into an [`EquationModel`], with how much it would need.
+/// Reason why a table does not fit into an [`EquationModel`], with the number it needs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DoesNotFit {
-    /// More entries of the state.
     States(usize),
-    /// More constants than there is room for.
+    /// More constants than C.
     Constants(usize),
     /// More than [`MAX_MODES`] modes.
     Modes(usize),
 }
 
 impl<F: Equations, const N: usize, const C: usize> PartialEq for EquationModel<F, N, C> {
-    /// Returns whether both have one table and the same constants.
+    /// Returns `true` if both have the same table and equal constants.
     fn eq(&self, other: &Self) -> bool {
         core::ptr::eq(self.functions.table(), other.functions.table())
             && self.constants == other.constants
@@ -39,10 +37,8 @@ impl<F: Equations, const N: usize, const C: usize> PartialEq for EquationModel<F
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Makes a model with one value per parameter; a missing one is taken from the default preset.
-    ///
-    /// # Errors
-    /// A table that has more states, constants or modes than there is room for.
+    /// Builds a model with one value per parameter; a missing one comes from the default preset.
+    /// Fails if the table has more states, constants or modes than there is room for.
     ///
     /// # Real-time
     /// Bounded: Newton's method twice, and for each mode two Jacobians.
@@ -52,7 +48,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Ok(model)
     }
 
-    /// Like [`new`](Self::new), but with nothing known of its modes.
+    /// Like [`new`](Self::new), but without the natures of its modes.
     pub(crate) fn without_natures(functions: F, parameters: &[f64]) -> Result<Self, DoesNotFit> {
         const { assert!(N > 0 && N <= 64, "a part has a bit for each entry") };
         fits(functions.table(), (N, C))?;
@@ -62,8 +58,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Ok(model)
     }
 
-    /// Returns the same model with other values of its parameters; a missing one is taken from the
-    /// default preset.
+    /// Returns the model with other parameters; a missing one comes from the default preset.
     ///
     /// # Real-time
     /// As of [`new`](Self::new).
@@ -76,7 +71,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         model
     }
 
-    /// The parameters, and what follows from them.
+    /// Computes the constants of these parameters.
     fn derived(&self, parameters: &[f64]) -> [f64; C] {
         let count = self.table().parameters.len();
         let mut constants = [0.0; C];
@@ -100,7 +95,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         constants
     }
 
-    /// Writes the values of the parameters in the preset `index` for a key, 0 (A0) to 87 (C8).
+    /// Writes the parameters in the preset `index` for a key, 0 (A0) to 87 (C8).
     pub fn preset(&self, index: usize, key: u8, values: &mut [f64]) {
         let Some(preset) = self.table().presets.get(index) else { return };
         let extra = [f64::from(key)];
@@ -108,46 +103,41 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.functions.call(preset.values, &arguments, values);
     }
 
-    /// Returns all of the model but its arithmetic.
     #[inline]
     pub fn table(&self) -> &ModelTable {
         self.functions.table()
     }
 
-    /// Returns the table and the arithmetic of the model.
     #[inline]
     pub const fn functions(&self) -> &F {
         &self.functions
     }
 
-    /// Returns the values of the parameters.
     pub fn parameters(&self) -> &[f64] {
         self.constants.get(..self.table().parameters.len()).unwrap_or(&self.constants)
     }
 
-    /// The parameters, and what follows from them.
+    /// Returns the parameters and the derived constants.
     pub(crate) const fn constants(&self) -> &[f64] {
         &self.constants
     }
 
-    /// What is known of the mode beyond its equations.
     pub(crate) const fn natures(&self) -> &ModeNatures {
         &self.natures
     }
 
-    /// The table of a mode; that of nothing for a number that no mode has.
+    /// Returns the table of a mode; an empty table for an unknown number.
     #[inline]
     pub(crate) fn mode_table(&self, mode: ModeNumber) -> &ModeTable {
         self.table().modes.get(usize::from(mode.0)).unwrap_or(&NOTHING)
     }
 
-    /// Calls `function` with the state and the input.
     #[inline]
     pub(crate) fn call(&self, function: FunctionId, x: &[f64; N], input: &Motion, out: &mut [f64]) {
         self.call_with(function, (x, &rates_of(input)), &[], out);
     }
 
-    /// The same with further arguments.
+    /// Like `call`, with further arguments.
     #[inline]
     pub(crate) fn call_with(
         &self,
@@ -159,7 +149,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.functions.call(function, &self.arguments(state, input, extra), out);
     }
 
-    /// What a function is given.
+    /// Collects the arguments of a function.
     #[expect(clippy::inline_always, reason = "a call takes the arguments through memory")]
     #[inline(always)]
     pub(crate) const fn arguments<'a>(
@@ -171,7 +161,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Arguments { constants: &self.constants, state, input, extra }
     }
 
-    /// The values of a function that gives K numbers; none is a number if there is no function.
+    /// Returns the K values of a function; all NaN without a function.
     #[inline]
     pub(crate) fn values<const K: usize>(
         &self,
@@ -184,7 +174,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         out
     }
 
-    /// The values of a function that gives a whole state and one number behind it.
+    /// Returns the values of a function with a whole state and one number after it.
     pub(crate) fn state_and_number(
         &self,
         function: FunctionId,
@@ -198,7 +188,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         (core::array::from_fn(|i| if i < count { out[0][i] } else { 0.0 }), number)
     }
 
-    /// The derivative's derivative by the state, row by row.
+    /// Returns the derivative of the rates by the state, row by row.
     pub(crate) fn jacobian_rows(
         &self,
         function: FunctionId,
@@ -221,7 +211,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// The input and its rates, as a function is given them.
+/// Returns the input and its rates as arguments of a function.
 #[expect(clippy::inline_always, reason = "a call takes the input through memory")]
 #[inline(always)]
 pub(crate) const fn rates_of(input: &Motion) -> [f64; 4] {
@@ -229,7 +219,7 @@ pub(crate) const fn rates_of(input: &Motion) -> [f64; 4] {
     [position, rate, acceleration, jerk]
 }
 
-/// Whether the table has room in a state of `room.0` entries and with `room.1` constants.
+/// Checks that the table fits into `room.0` state entries and `room.1` constants.
 fn fits(table: &ModelTable, room: (usize, usize)) -> Result<(), DoesNotFit> {
     let (states, constants, modes) = (table.states.len(), table.constants.count, table.modes.len());
     if states > room.0 {

@@ -1,4 +1,4 @@
-//! A table's model as `pode` steps it.
+//! The model of a table as a `pode::Model`.
 
 use pode::{Model, Motion, Nature, Part, State};
 
@@ -11,7 +11,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Model for EquationMod
     type Mode = ModeNumber;
     type State = [f64; N];
     type Input = Motion;
-    /// What the table says counts: [`Model::coordinates`].
+    /// The table's count is the one that matters: [`Model::coordinates`].
     const COORDS: usize = N / 2;
 
     #[inline]

@@ -1,28 +1,27 @@
-//! What the equations of each mode are like with these parameters: kinds, rates, longest steps.
+//! Natures of the modes with these parameters: kinds, rates, longest steps.
 
 use pode::{EquationKind, Nature, Part};
 
 use crate::equations::mode_number::ModeNumber;
 use crate::equations::table::ModeTable;
 
-/// Most modes of one [`EquationModel`](crate::equations::EquationModel).
+/// Maximum number of modes of an [`EquationModel`](crate::equations::EquationModel).
 pub const MAX_MODES: usize = 32;
 
-/// Most parts of all modes that have several; what is more has the nature of its mode.
+/// Maximum number of parts of all modes with several; further ones have the nature of their mode.
 pub(crate) const MAX_MODE_PARTS: usize = 24;
 
-/// The natures of all modes, and the parts of those that have several.
+/// The natures of all modes, and the parts of modes with several.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct ModeNatures {
     pub(crate) modes: [ModeNature; MAX_MODES],
     pub(crate) parts: [Part; MAX_MODE_PARTS],
 }
 
-/// The nature of one mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct ModeNature {
     pub(crate) nature: Nature,
-    /// Where its parts begin; they are the table's own beyond the list.
+    /// Index of the first of its parts; beyond the list the table's parts count.
     pub(crate) first: usize,
 }
 
@@ -44,7 +43,7 @@ impl ModeNatures {
         self.mode(mode).nature
     }
 
-    /// The parts of `mode`; the table's own where it has only one.
+    /// Returns the parts of `mode`; the table's if it has only one.
     #[inline]
     pub(crate) fn parts<'a>(&'a self, mode: ModeNumber, table: &'a ModeTable) -> &'a [Part] {
         let first = self.mode(mode).first;

@@ -1,4 +1,4 @@
-//! The state on the constraints that no coordinate is solved from.
+//! Projection of the state on the constraints that no coordinate is solved from.
 
 use pode::Motion;
 
@@ -6,7 +6,7 @@ use crate::equations::model::EquationModel;
 use crate::equations::table::{Equations, FunctionId, ModeTable};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Puts what the mode slaves in place, and the state on the mode's constraints.
+    /// Computes the slaved entries of the mode, and projects the state on its constraints.
     #[inline(never)]
     pub(super) fn put_in_place(&self, mode: &ModeTable, x: &mut [f64; N], input: &Motion) {
         if let Some(slaved) = mode.constraints.slaved {
@@ -18,7 +18,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// The state on the constraints that are not solved in closed form, by a few Newton steps.
+    /// Projects the state on the constraints without closed form, by a few Newton steps.
     #[cold]
     pub(crate) fn projected(
         &self,
@@ -27,9 +27,9 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         x: [f64; N],
         input: &Motion,
     ) -> [f64; N] {
-        /// Along an orbit one is enough; after an event a few.
+        /// Number of Newton steps: along an orbit one is enough; an event needs a few.
         const STEPS: usize = 8;
-        /// What is left of a constraint (m or rad).
+        /// Accepted rest of a constraint (m or rad).
         const NOTHING: f64 = 1e-14;
         let (count, drifts) = (self.table().states.len(), mode.constraints.projected);
         let mut x = x;

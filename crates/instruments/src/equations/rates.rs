@@ -1,4 +1,4 @@
-//! The longest step of a mode that stiffens, by the state at hand.
+//! Longest step of a mode that stiffens, by the current state.
 
 use pode::{Model as _, Motion, State as _};
 
@@ -7,14 +7,12 @@ use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::EquationModel;
 use crate::equations::table::Equations;
 
-/// So many where it is asked for in every step.
+/// Rounds of the power iteration in every step.
 const ROUNDS_AT: usize = 5;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// The longest step (s) from `x` on, at most `longest`: by the Jacobian here, and with the
-    /// coordinates where they would be by the end of that step.
-    ///
-    /// Two Jacobians and a derivative, in modes that stiffen only.
+    /// Returns the longest step (s) from `x`, at most `longest`: by the Jacobian at `x`, and at the
+    /// coordinates at the end of that step. Two Jacobians and a derivative, in modes that stiffen.
     #[cold]
     pub(crate) fn step_at(
         &self,
@@ -28,14 +26,14 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.step_by(jacobian, (longest, rates), x)
     }
 
-    /// The same by any Jacobian, with the rates of the state.
+    /// Like `step_at`, by any Jacobian, with the rates of the state.
     pub(crate) fn step_by(
         &self,
         jacobian: impl Fn(&[f64; N]) -> [[f64; N]; N],
         (longest, rates): (f64, [f64; N]),
         x: &[f64; N],
     ) -> f64 {
-        /// Without a rate of its own a step looks so far ahead (s).
+        /// Look-ahead of a step without a rate of its own (s).
         const AHEAD: f64 = 1e-3;
         let entries = all_of(self.table().states.len());
         let step = |x: &[f64; N]| RADIANS / fastest(&jacobian(x), entries, ROUNDS_AT);
@@ -46,12 +44,12 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// A bit for each of the first `count` entries.
+/// Returns a bit for each of the first `count` entries.
 fn all_of(count: usize) -> u64 {
     u64::MAX.checked_shr(u64::BITS - u32::try_from(count).unwrap_or(u64::BITS)).unwrap_or(0)
 }
 
-/// The first `count` entries of `moved` with the others of `x`.
+/// Returns the first `count` entries of `moved` with the others of `x`.
 fn moved_head<const N: usize>(x: &[f64; N], moved: &[f64; N], count: usize) -> [f64; N] {
     moved.head_of(count, x)
 }

@@ -1,9 +1,9 @@
-//! A pose at which forces balance, found by going downhill.
+//! A pose at which forces balance, found by descent.
 //!
-//! From rest to rest: each step is one of the implicit Euler method with the speeds put to zero
-//! behind it, so that it goes down the potential, and it is taken only if it does. Short steps
-//! follow the slope, long ones are Newton's. Contacts act by their own laws where their surfaces
-//! overlap, so that what lies on something comes to lie on it.
+//! From rest to rest: each step is an implicit Euler step with the speeds set to zero after it, so
+//! that it descends the potential; a step that does not is rejected. Short steps follow the slope,
+//! long ones are Newton's. Contacts act by their own laws where their surfaces overlap, so that
+//! bodies come to rest on each other.
 
 use pode::{Guarded as _, Matrix as _, Motion, State};
 
@@ -13,31 +13,31 @@ use crate::equations::model::EquationModel;
 use crate::equations::rows::add_rows;
 use crate::equations::table::{Equations, ModeTable};
 
-/// What must not grow from step to step.
+/// Quantity that must not grow from step to step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Descent {
-    /// The energy: it ends in an equilibrium that is stable.
+    /// The energy: the descent ends in a stable equilibrium.
     Energy,
-    /// The largest rate of the state, where forces are no slopes of the energy.
+    /// The largest rate of the state, if forces are no gradient of the energy.
     Imbalance,
 }
 
-/// Steps of one descent, those that are not taken included.
+/// Maximum number of steps of one descent, rejected ones included.
 const STEPS: usize = 240;
-/// Of the first step (s), and of one that is as good as Newton's.
+/// Length of the first step (s), and of one that is as good as Newton's (s).
 const FIRST: f64 = 1e-3;
 const LONG: f64 = 1e3;
-/// A step shorter than this (s) leads nowhere.
+/// Length below which a step leads nowhere (s).
 const SHORT: f64 = 1e-8;
-/// How much longer the next step is, and how much shorter one that is tried again.
+/// Growth of the next step, and shrinking of a rejected one.
 const GROWTH: f64 = 3.0;
 const SHRINKING: f64 = 0.2;
-/// Rounding of the energy, and of a coordinate, in parts of them.
+/// Relative rounding of the energy, and of a coordinate.
 const ENERGY_ROUNDING: f64 = 1e-13;
 const SMALL: f64 = 1e-12;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// The pose below `guess` where the descent ends, or is given up.
+    /// Returns the pose below `guess` where the descent ends or is given up.
     pub(crate) fn relaxed(
         &self,
         mode: ModeNumber,
@@ -65,7 +65,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         x
     }
 
-    /// Where a step of length `dt` (s) from `x` leads, and how high that is; none if it is higher.
+    /// Takes a step of length `dt` (s) from `x`; returns state and height, `None` if it is higher.
     fn lower(
         &self,
         mode: ModeNumber,
@@ -80,12 +80,12 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         (there <= height + ENERGY_ROUNDING * height.abs()).then_some((next, there))
     }
 
-    /// The same place without speeds.
+    /// Returns the state without speeds.
     fn stopped(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         self.constrain(mode, &x.head_of(self.table().coordinates, &[0.0; N]), input)
     }
 
-    /// How high `x` is; no number where nothing is known.
+    /// Returns the height of `x`; NaN if it is unknown.
     fn height(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, descent: Descent) -> f64 {
         let table = self.mode_table(mode);
         match descent {
@@ -102,7 +102,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// A linearly implicit step of length `dt` (s).
+    /// Takes a linearly implicit step of length `dt` (s).
     fn relaxing_step(
         &self,
         table: &ModeTable,
@@ -117,7 +117,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             .filter(|step| step.iter().all(|entry| entry.is_finite()))
     }
 
-    /// The derivative with all contacts whose surfaces overlap, and its derivative by the state.
+    /// Returns the derivative with all contacts whose surfaces overlap, and its Jacobian.
     pub(crate) fn held_up(
         &self,
         table: &ModeTable,
@@ -132,7 +132,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         (rates, rows)
     }
 
-    /// The derivative with all contacts whose surfaces overlap.
+    /// Returns the derivative with all contacts whose surfaces overlap.
     fn held_rates(&self, table: &ModeTable, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mut rates = [0.0; N];
         self.call(table.derivative, x, input, &mut rates);
@@ -142,8 +142,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         rates
     }
 
-    /// The entry that moves by equations and changes fastest, and its rate's magnitude; no number
-    /// where any rate is none.
+    /// Returns the entry that moves by equations and changes fastest, and its rate's magnitude;
+    /// NaN if any rate is NaN.
     pub(crate) fn fastest_entry(
         &self,
         table: &ModeTable,
@@ -158,7 +158,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         })
     }
 
-    /// The contacts whose surfaces overlap at `x`.
     fn overlapping<'a>(
         &'a self,
         table: &'a ModeTable,
@@ -171,7 +170,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// Whether no entry of the two differs by more than `part` of it.
+/// Returns `true` if no entry of the two differs by more than the fraction `part`.
 pub(crate) fn is_near<const N: usize>(x: &[f64; N], y: &[f64; N], part: f64) -> bool {
     x.iter().zip(y).all(|(x, y)| (x - y).abs() <= part * y.abs().max(0.01))
 }

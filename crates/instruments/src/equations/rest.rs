@@ -1,4 +1,4 @@
-//! Where a model rests: an equilibrium of the mode that is meant, or of another one that holds.
+//! Rest of a model: an equilibrium of the intended mode, or of another one that holds.
 
 use pode::{Fires, Guarded as _, Matrix as _, Motion, State};
 
@@ -8,30 +8,27 @@ use crate::equations::model::{DoesNotFit, EquationModel};
 use crate::equations::relax::{Descent, is_near};
 use crate::equations::table::{Equations, ModeTable};
 
-/// From a guess a tenth off Newton needs 4 to 6 rounds; 40 leave room for soft felts.
+/// Maximum number of Newton rounds: 4 to 6 from a guess a tenth off; 40 leave room for soft felts.
 const ROUNDS: usize = 40;
-/// A step that moves each entry by less than this part of it is rounding.
+/// Relative change of each entry below which a step is rounding.
 const ROUNDING: f64 = 4e-16;
-/// A rate below this (m/s², or rad/s²) is none: a micrometre in four seconds.
+/// Rate that counts as zero (m/s², or rad/s²): a micrometre in four seconds.
 const STILL: f64 = 1e-7;
 
-/// Where a model rests, and whether that is an equilibrium.
+/// Rest of a model, and the imbalance if it is no equilibrium.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RestPose<const N: usize> {
-    /// The mode at rest, which holds there if any of the model's modes does.
+    /// Mode at rest; it holds there if any of the model's modes does.
     pub mode: ModeNumber,
-    /// The state at rest, or the guess where no equilibrium was found near it.
+    /// State at rest, or the guess if no equilibrium was found near it.
     pub state: [f64; N],
-    /// The entry of the state that changes fastest, and how fast it does (unit of the entry / s);
-    /// none where the forces balance.
+    /// Entry of the state that changes fastest, and its rate (unit of the entry / s); `None` if the
+    /// forces balance.
     pub imbalance: Option<(usize, f64)>,
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Returns where the model rests with the values of a preset for a key, and with the input at 0.
-    ///
-    /// # Errors
-    /// As of [`Self::new`].
+    /// Returns the rest with a preset's values for a key and input 0. Fails as [`Self::new`].
     pub fn rest_of_preset(
         functions: F,
         (preset, key): (usize, u8),
@@ -42,25 +39,23 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Ok(model.rest_pose(&Motion::default()))
     }
 
-    /// Returns mode and state at rest under a constant input, or where the table says that it
-    /// starts.
+    /// Returns mode and state at rest under a constant input, or the start that the table states.
     ///
     /// # Real-time
-    /// As [`Self::rest_pose`]: bounded, but meant for once per voice.
+    /// As [`Self::rest_pose`]: bounded, but intended for once per voice.
     pub fn at_rest(&self, input: &Motion) -> (ModeNumber, [f64; N]) {
         let RestPose { mode, state, .. } = self.rest_pose(input);
         (mode, state)
     }
 
-    /// Returns where it rests, with what is left of the forces.
+    /// Returns the rest with the imbalance of the forces.
     ///
-    /// The mode is the table's where its equilibrium breaks none of its guards, else the first of
-    /// the others whose equilibrium breaks none. A mode that has no equilibrium near the table's
-    /// guess rests at the guess.
+    /// The mode is the table's if its equilibrium violates none of its guards, else the first other
+    /// such mode. A mode without equilibrium near the table's guess rests at the guess.
     ///
     /// # Real-time
-    /// Bounded: in each mode that is tried two descents of 240 steps, and Newton's method twice,
-    /// which stops after 40 rounds. The first mode needs some 20 of all these steps.
+    /// Bounded: per mode two descents of 240 steps, and Newton's method twice, at most 40 rounds
+    /// each. The first mode needs some 20 of all these steps.
     pub fn rest_pose(&self, input: &Motion) -> RestPose<N> {
         let still = Motion { position: input.position, ..Motion::default() };
         let first = self.rest_mode(&still);
@@ -78,12 +73,12 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         RestPose { state: self.constrain(pose.mode, &pose.state, input), ..pose }
     }
 
-    /// Returns where the mode that the table names comes to rest, whether it is over there or not.
+    /// Returns the rest of the table's mode, even if the mode is over there.
     pub(crate) fn own_rest(&self, input: &Motion) -> [f64; N] {
         self.rest_in(self.rest_mode(input), input).state
     }
 
-    /// The mode that the table names for these parameters.
+    /// Returns the table's rest mode for these parameters.
     fn rest_mode(&self, input: &Motion) -> ModeNumber {
         let rest = &self.table().rest;
         let is_met = |when| {
@@ -94,7 +89,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         ModeNumber(other.map_or(rest.mode, |(_, mode)| *mode))
     }
 
-    /// The equilibrium of one mode near the table's guess, or the guess.
+    /// Returns the equilibrium of one mode near the table's guess, or the guess.
     fn rest_in(&self, mode: ModeNumber, input: &Motion) -> RestPose<N> {
         let rest = &self.table().rest;
         let mut guess = [0.0; N];
@@ -110,9 +105,9 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         RestPose { mode, state, imbalance: (!is_balanced).then_some((entry, rate)) }
     }
 
-    /// Whether the pose is an equilibrium at which the mode is not over.
+    /// Returns `true` if the pose is an equilibrium at which the mode is not over.
     fn is_valid(&self, pose: &RestPose<N>, input: &Motion) -> bool {
-        /// What is in rounding of a guard, in its scales.
+        /// Rounding of a guard, in its scales.
         const TOUCHING: f64 = -1e-9;
         let mut guards =
             self.guards(pose.mode).iter().filter(|it| it.fires == Fires::WhileNegative);
@@ -122,8 +117,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             })
     }
 
-    /// The equilibrium near `guess`: by Newton's method where nothing is in the way, else downhill
-    /// first.
+    /// Finds the equilibrium near `guess`: by Newton's method if nothing is in the way, else by
+    /// descent first.
     fn balanced(&self, mode: ModeNumber, guess: &[f64; N], input: &Motion) -> Option<[f64; N]> {
         let at_once = || self.equilibrium(mode, guess, input);
         let by = |descent| {
@@ -138,17 +133,17 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// The equilibrium at the end of a descent: Newton's method takes it to rounding. Where it
-    /// finds none, since the model can move without a force, the descent's own end may be one.
+    /// Refines the end of a descent to rounding by Newton's method. Where that fails, since the
+    /// model can move without a force, the end of the descent may be an equilibrium.
     fn settled(&self, mode: ModeNumber, low: &[f64; N], input: &Motion) -> Option<[f64; N]> {
-        /// Newton's method goes no farther from where the descent ended, in parts of an entry.
+        /// Maximum distance of Newton's method from the end of the descent, relative to an entry.
         const NEAR: f64 = 1e-3;
         let exact = self.equilibrium(mode, low, input).filter(|exact| is_near(low, exact, NEAR));
         let is_still = || self.fastest_entry(self.mode_table(mode), low, input).1 <= STILL;
         exact.or_else(|| is_still().then_some(*low))
     }
 
-    /// Where Newton's method from `guess` ends, if it does.
+    /// Returns the end of Newton's method from `guess`, if it converges.
     fn equilibrium(&self, mode: ModeNumber, guess: &[f64; N], input: &Motion) -> Option<[f64; N]> {
         let table = self.mode_table(mode);
         let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
@@ -160,11 +155,11 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
                 return Some(x);
             }
         }
-        // To and fro in the last digits is as good.
+        // Oscillation in the last digits is as good.
         (self.fastest_entry(table, &x, input).1 <= STILL).then_some(x)
     }
 
-    /// A step of Newton's method towards a zero of the derivative's entries that move.
+    /// Takes a step of Newton's method towards a zero of the moving entries' rates.
     fn newton_step(
         &self,
         table: &ModeTable,

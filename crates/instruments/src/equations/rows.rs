@@ -1,4 +1,4 @@
-//! What a closed contact adds to the derivative and to its Jacobian.
+//! Contribution of a closed contact to the derivative and to its Jacobian.
 
 use pode::{Motion, State as _};
 
@@ -6,7 +6,6 @@ use crate::equations::model::EquationModel;
 use crate::equations::table::{Equations, FunctionId};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Adds what a closed contact adds to the derivative.
     #[inline]
     pub(crate) fn add_normal(
         &self,
@@ -21,7 +20,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         *rates = rates.plus(1.0, &added);
     }
 
-    /// What it adds to the derivative's derivative.
+    /// Returns the contribution of a closed contact to the Jacobian.
     pub(crate) fn contact_rows(
         &self,
         jacobian: Option<FunctionId>,
@@ -32,7 +31,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// Adds matrices entry by entry.
 pub(crate) fn add_rows<const N: usize>(rows: &mut [[f64; N]; N], more: &[[f64; N]; N]) {
     for (row, more) in rows.iter_mut().zip(more) {
         *row = row.plus(1.0, more);

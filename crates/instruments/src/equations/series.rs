@@ -1,7 +1,7 @@
 //! The Taylor series of a mode, by the two functions of its table.
 //!
-//! What is not arithmetic of the model is done here, once for all models: the orders one after
-//! another, and the sums over the orders before.
+//! This module does what is not arithmetic of the model, once for all models: the order of the
+//! coefficients, and the sums over lower orders.
 
 use pode::Motion;
 use pode::series::PER_ORDER;
@@ -11,22 +11,21 @@ use pode::series::{Expansion, INPUT_TERMS, MOST_CONDITIONS, MOST_GUARDS, MOST_OR
 use crate::equations::model::EquationModel;
 use crate::equations::table::{Arguments, Equations, SeriesTable};
 
-/// Numbers that a step is given and gives, for each block of lanes.
+/// Maximum count of numbers that a step receives and returns, for each block of lanes.
 const ROOM: usize = 96;
-/// Where what is carried begins in what a step is given: k and 1/k stand before.
+/// Index of the carried numbers in a step's arguments: k and 1/k precede them.
 const CARRIED: usize = 2;
-/// Pairs of lanes that are summed up at a time, as many as a common processor has registers for at
-/// most, and blocks of them; the first in which a mode's lanes have room are taken.
+/// Pairs of lanes that are summed at once, at most as many as a common processor has registers,
+/// and blocks of them; the first size with room for a mode's lanes counts.
 const SIZES: [(usize, usize); 5] = [(4, 1), (8, 1), (7, 2), (8, 2), (8, 4)];
 
 impl SeriesTable {
-    /// How many numbers each order of a state of `states` entries has: rates, slaved entries,
-    /// guards and conditions.
+    /// Counts the numbers per order for `states` entries: rates, slaved entries, guards, conditions.
     const fn outputs(&self, states: usize) -> usize {
         states + self.guards + self.conditions
     }
 
-    /// Pairs and blocks of lanes that it takes; none if it takes too many.
+    /// Returns pairs and blocks of lanes; `None` if there are too many.
     fn size(&self, states: usize) -> Option<(usize, usize)> {
         let outputs = self.outputs(states);
         SIZES.into_iter().find(|(pairs, blocks)| {
@@ -37,8 +36,8 @@ impl SeriesTable {
         })
     }
 
-    /// Whether a mode of so many states can be expanded by it: at most 64 lanes and as many numbers
-    /// as there is room for, and no more guards and conditions than an expansion keeps.
+    /// Returns `true` if the series can expand a mode with `states` entries: at most 64 lanes, and
+    /// room for its numbers, guards and conditions.
     pub fn fits(&self, states: usize) -> bool {
         let counts = self.guards <= MOST_GUARDS && self.conditions <= MOST_CONDITIONS;
         counts && self.size(states).is_some()
@@ -84,7 +83,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// What a series is written with, whatever the model's type is.
+/// Data for writing a series, without the model's type.
 struct SeriesWriter<'a> {
     functions: &'a dyn Equations,
     constants: &'a [f64],
@@ -94,7 +93,7 @@ struct SeriesWriter<'a> {
     order: usize,
     scale: f64,
     per_scale: f64,
-    /// The state's coefficients, `width` of each order.
+    /// Coefficients of the state, `width` of each order.
     terms: &'a mut [f64],
     width: usize,
     guards: &'a mut [[f64; TERMS]; MOST_GUARDS],
@@ -102,7 +101,7 @@ struct SeriesWriter<'a> {
 }
 
 impl SeriesWriter<'_> {
-    /// Writes every order up to the highest, one after the other.
+    /// Writes every order up to the highest.
     fn expand<const PAIRS: usize, const BLOCKS: usize>(&mut self) {
         let mut lanes = [SeriesLanes::<PAIRS>::ZERO; BLOCKS];
         let (mut given, mut made) = ([[0.0; ROOM]; BLOCKS], [[0.0; ROOM]; BLOCKS]);
@@ -132,12 +131,11 @@ impl SeriesWriter<'_> {
         }
     }
 
-    /// How many entries of the state move by equations.
+    /// Returns the number of entries that move by equations.
     const fn entries(&self) -> usize {
         self.table.entries.count_ones() as usize
     }
 
-    /// Calls a function with the coefficients of order `k`.
     fn call(&self, function: u16, k: usize, extra: &[f64], out: &mut [f64]) {
         let state = self.terms.get(k * self.width..(k + 1) * self.width).unwrap_or_default();
         let input = self.input(k);
@@ -145,7 +143,7 @@ impl SeriesWriter<'_> {
         self.functions.call(function, &arguments, out);
     }
 
-    /// The coefficients of order `k` of the input and its rates.
+    /// Returns the coefficients of order `k` of the input and its rates.
     fn input(&self, k: usize) -> [f64; 4] {
         let mut by = 1.0;
         core::array::from_fn(|rate| {
@@ -156,7 +154,7 @@ impl SeriesWriter<'_> {
         })
     }
 
-    /// Enters the outputs of order `k`: rates make the state's next coefficients.
+    /// Stores the outputs of order `k`: rates determine the state's next coefficients.
     fn keep(&mut self, k: usize, outputs: &[f64]) {
         let (rates, others) = outputs.split_at(self.entries().min(outputs.len()));
         let (slaved, others) = others.split_at((self.states - self.entries()).min(others.len()));
@@ -164,7 +162,7 @@ impl SeriesWriter<'_> {
         let by = self.scale * PER_ORDER.get(k + 1).copied().unwrap_or(0.0);
         let rows = self.terms.get_mut(k * self.width..).unwrap_or_default();
         let (now, next) = rows.split_at_mut(self.width.min(rows.len()));
-        // Nobody asks for more than the last, and the state itself is given.
+        // No caller needs more than the last order, and the state itself is given.
         let next = if k < self.order { next } else { &mut [] };
         let now = if k > 0 { now } else { &mut [] };
         for entry in 0..self.states {
@@ -186,7 +184,7 @@ impl SeriesWriter<'_> {
     }
 }
 
-/// Writes the sums of the lanes of a block; those of lanes that are not there are not read.
+/// Writes the sums of the lanes of a block; those of missing lanes are not read.
 #[inline]
 fn write_sums<const PAIRS: usize>(pairs: &[SeriesPair; PAIRS], sums: &mut [f64]) {
     for (pair, sums) in pairs.iter().zip(sums.as_chunks_mut::<2>().0) {
@@ -194,7 +192,7 @@ fn write_sums<const PAIRS: usize>(pairs: &[SeriesPair; PAIRS], sums: &mut [f64])
     }
 }
 
-/// Enters the factors of order `k` of a block of lanes, from two places on.
+/// Stores the factors of order `k` of a block of lanes, in pairs of numbers.
 #[inline]
 fn enter<const PAIRS: usize>(
     block: &mut SeriesLanes<PAIRS>,
@@ -207,7 +205,7 @@ fn enter<const PAIRS: usize>(
     }
 }
 
-/// The factors of a block of lanes, from the place `from` on; lanes that are not there have any.
+/// Returns the factors of a block of lanes from index `from`; missing lanes have any.
 #[inline]
 fn pairs<const PAIRS: usize>(made: &[f64], from: usize) -> Option<[SeriesPair; PAIRS]> {
     let factors = made.get(from..)?.as_chunks::<2>().0.first_chunk::<PAIRS>()?;

@@ -1,8 +1,8 @@
-//! Corners made round: softplus, its slope and its integrals, for felts and drop screws.
+//! Rounded corners: softplus, its slope and its integrals, for felts and drop screws.
 
 use pode::math::{exp, ln};
 
-/// Beyond ±40 a softplus is its asymptote to the last bit of 1.
+/// Argument beyond which a softplus is its asymptote to the last bit of 1.
 pub const FAR_SOFTPLUS: f64 = 40.0;
 
 /// sp(x) = ln(1 + eˣ) and its slope σ(x) = 1/(1 + e⁻ˣ).
@@ -13,7 +13,7 @@ pub struct Softplus {
 }
 
 impl Softplus {
-    /// At `x`, from e^−|x|, which never overflows.
+    /// Evaluates at `x`, from e^−|x|, which never overflows.
     #[inline]
     pub fn at(x: f64) -> Self {
         if x > FAR_SOFTPLUS {
@@ -31,7 +31,7 @@ impl Softplus {
         }
     }
 
-    /// ∫ sp from −∞ to x: the energy of a softened linear spring.
+    /// Returns ∫ sp from −∞ to x: the energy of a softened linear spring.
     ///
     /// With L = sp(x), dx = dL/(1 − e^−L): the integral of L/(1 − e^−L).
     pub fn area(&self) -> f64 {
@@ -39,7 +39,7 @@ impl Softplus {
         if l < NEAR { series(l, 1) } else { 0.5 * l * l + ZETA_2 - tail(l, |k| (l + 1.0 / k) / k) }
     }
 
-    /// ∫ sp² from −∞ to x: the energy of a softened square law.
+    /// Returns ∫ sp² from −∞ to x: the energy of a softened square law.
     pub fn area_of_square(&self) -> f64 {
         let l = self.value;
         if l < NEAR {
@@ -51,7 +51,7 @@ impl Softplus {
     }
 }
 
-/// Below this the integrals are taken by Bernoulli's series, above by exponentials.
+/// Limit between Bernoulli's series for the integrals, below, and exponentials, above.
 const NEAR: f64 = 2.0;
 
 /// ζ(2) = π²/6.
@@ -75,7 +75,7 @@ const BERNOULLI: [f64; 12] = [
     -1.395_446_468_581_252_3e-19,
 ];
 
-/// ∫ lᵐ/(1 − e^−l) from 0 to `l`, for m = 1 or 2: 1e-13 of it at l = 2.
+/// Returns ∫ lᵐ/(1 − e^−l) from 0 to `l`, for m = 1 or 2: to 1e-13 of it at l = 2.
 fn series(l: f64, m: u8) -> f64 {
     let m = f64::from(m);
     let square = l * l;
@@ -88,9 +88,9 @@ fn series(l: f64, m: u8) -> f64 {
     if m > 1.5 { sum * square } else { sum * l }
 }
 
-/// Σ e^−kl `term`(k): what is left of a Debye integral beyond `l`.
+/// Returns Σ e^−kl `term`(k): the rest of a Debye integral beyond `l`.
 fn tail(l: f64, term: impl Fn(f64) -> f64) -> f64 {
-    /// e^−2k is 1e-16 then.
+    /// Number of terms: e^−2k is 1e-16 then.
     const TERMS: u8 = 18;
     let ratio = exp(-l);
     let (mut sum, mut power) = (0.0, 1.0);

@@ -1,4 +1,4 @@
-//! A model's table as the structure of a mechanism with contacts.
+//! The table of a model as the structure of a mechanism with contacts.
 
 use core::array;
 
@@ -18,13 +18,13 @@ use crate::equations::rows::add_rows;
 use crate::equations::table::{ContactModeTable, Equations, FunctionId};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// The table of a contact in a mode, if it can close there.
+    /// Returns the table of a contact in a mode; `None` if it cannot close there.
     #[inline]
     fn contact(&self, mode: ModeNumber, contact: usize) -> Option<&ContactModeTable> {
         self.mode_table(mode).contacts.iter().find(|it| usize::from(it.contact) == contact)
     }
 
-    /// The sums of all closed contacts' balances: readout, energy, supplied, dissipated.
+    /// Sums the balances of all closed contacts: readout, energy, supplied, dissipated.
     #[inline]
     pub(crate) fn contact_sums(
         &self,
@@ -39,7 +39,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         })
     }
 
-    /// What the friction forces add to the readout.
+    /// Returns the contribution of the friction forces to the readout.
     pub(crate) fn friction_readout(
         &self,
         mode: ModeNumber,
@@ -84,7 +84,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
     #[inline]
     fn gap(&self, mode: ModeNumber, contact: usize, x: &[f64; N], input: &Motion) -> GuardValue {
         let gap = self.contact(mode, contact).and_then(|contact| contact.gap);
-        // What cannot close is apart.
+        // A contact that cannot close is open.
         let [value, rate] = self.contact_values(gap, x, input).unwrap_or([1.0, 0.0]);
         GuardValue::new(value, rate)
     }
@@ -117,7 +117,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
             + self.friction_readout(mode, forces, x, input)
     }
 
-    /// Those of the structure and of each closed contact; none where a friction is felt at the input.
+    /// Sums structure and closed contacts; `None` if a friction is felt at the input.
     fn slopes(
         &self,
         mode: ModeNumber,
@@ -135,7 +135,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         Some(all)
     }
 
-    /// A closed contact's rate is that of the state, hence left to the longest step.
+    /// A closed contact's rate depends on the state, so the longest step handles it.
     fn nature(&self, mode: ModeNumber, contacts: ContactSet) -> Nature {
         let nature = self.natures().nature(mode);
         if contacts.closed().is_empty() {
@@ -227,7 +227,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
         self.bound(bound, over)
     }
 
-    /// By the Jacobian with the contacts that touch: two of them in each step, and a derivative.
+    /// Uses the Jacobian with the touching contacts: two of them in each step, and a derivative.
     fn longest_step_at(
         &self,
         mode: ModeNumber,

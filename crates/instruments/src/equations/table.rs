@@ -1,7 +1,7 @@
-//! All of a model but its arithmetic: names, sizes, and the number of each function.
+//! A model without its arithmetic: names, sizes, and the numbers of its functions.
 //!
-//! A table is constant, made once for a description and shared by all that play it. Names and units
-//! are `&'static str`, as everywhere in `pode`; prose is owned.
+//! A table is constant, built once per description and shared by all its voices. Names and units
+//! are `&'static str`, as in `pode`; prose is owned.
 #![expect(clippy::disallowed_types, reason = "a table is made once, off the tick")]
 
 use alloc::boxed::Box;
@@ -11,34 +11,30 @@ use alloc::vec::Vec;
 use pode::contacts::ContactSpec;
 use pode::{Enclosure, EquationKind, Fires, GuardSpec, Motion, Part, Reads};
 
-/// The number of a function of a model.
+/// Number of a function of a model.
 pub type FunctionId = u16;
 
-/// What the functions of a model are given.
+/// Arguments of a function of a model.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Arguments<'a> {
-    /// The parameters, then what follows from them alone.
+    /// The parameters, then the constants derived from them.
     pub constants: &'a [f64],
     pub state: &'a [f64],
     /// The input s and its rates s', s'', s'''.
     pub input: &'a [f64; 4],
-    /// What else the function asks for.
+    /// Further arguments of the function.
     pub extra: &'a [f64],
 }
 
-/// The arithmetic of a model: pure functions, by number.
-///
-/// Each is a straight line of operations, with no loop and no memory of its own.
+/// The arithmetic of a model: pure functions, by number, each without loops and memory.
 pub trait Functions: Send + Sync {
-    /// Writes the values of `function` to `out`, which has at least as many places; a number that
-    /// no function has writes nothing. Where `out` or an argument is shorter than the function
-    /// needs, all of `out` becomes NaN.
+    /// Writes the values of `function` to `out`, which may be longer; an unknown number writes
+    /// nothing. If `out` or an argument is shorter than required, all of `out` becomes NaN.
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]);
 }
 
-/// A table and the arithmetic that its numbers are of.
+/// A table with the arithmetic of its function numbers.
 pub trait Equations: Functions {
-    /// Returns all of the model but its arithmetic.
     fn table(&self) -> &ModelTable;
 }
 
@@ -70,18 +66,17 @@ impl<E: Equations + ?Sized> Equations for Arc<E> {
     }
 }
 
-/// All of a model but its arithmetic.
+/// A model without its arithmetic.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ModelTable {
-    /// Name in scenes and on the command line.
     pub name: &'static str,
-    /// What it is, in one line.
+    /// One-line description.
     pub summary: Box<str>,
     pub parameters: Vec<ParameterTable>,
-    /// Named values; the first is the default.
+    /// Presets; the first is the default.
     pub presets: Vec<PresetTable>,
     pub states: Vec<NamedQuantity>,
-    /// How many leading states are coordinates.
+    /// Number of leading states that are coordinates.
     pub coordinates: usize,
     pub constants: ConstantTable,
     pub input: DriveTable,
@@ -94,18 +89,18 @@ pub struct ModelTable {
     pub drawing: DrawingTable,
 }
 
-/// The parameters and what follows from them alone.
+/// The parameters and the constants derived from them.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ConstantTable {
     /// Number of constants, the parameters included.
     pub count: usize,
-    /// Computes the constants behind the parameters from `constants[..parameters.len()]`.
+    /// Computes the derived constants from `constants[..parameters.len()]`.
     pub derive: FunctionId,
-    /// Conditions under which the values are possible.
+    /// Conditions on possible values.
     pub requirements: Vec<RequirementTable>,
 }
 
-/// What drives a model.
+/// The input of a model.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DriveTable {
     pub quantity: NamedQuantity,
@@ -121,7 +116,7 @@ pub struct AutomatonTable {
     pub guards: Vec<GuardSpec>,
 }
 
-/// What sounds, and what becomes of it in MIDI.
+/// Sound of a model, and its conversion to MIDI.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SoundTable {
     pub damper: Option<DamperTable>,
@@ -136,7 +131,7 @@ pub struct NamedQuantity {
     pub unit: &'static str,
 }
 
-/// Whether an output is the pose of a frame that a drawing follows: it is called after it, as
+/// Returns `true` if an output is the pose of a frame that a drawing follows, with a name such as
 /// `key.angle`.
 pub fn is_pose(output: &str) -> bool {
     output.contains('.')
@@ -146,7 +141,6 @@ pub fn is_pose(output: &str) -> bool {
 #[derive(Clone, PartialEq, Debug)]
 pub struct ParameterTable {
     pub name: &'static str,
-    /// Name for people, on sliders.
     pub title: Box<str>,
     pub unit: &'static str,
     pub range: (f64, f64),
@@ -158,46 +152,45 @@ pub struct ParameterTable {
 pub struct PresetTable {
     pub name: &'static str,
     pub doc: Box<str>,
-    /// From the key to one value per parameter.
+    /// Computes one value per parameter from the key.
     pub values: FunctionId,
 }
 
 /// A condition on the parameters.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RequirementTable {
-    /// As people read it: `string > trip`.
+    /// Readable form: `string > trip`.
     pub text: Box<str>,
-    /// From constants to a number that is positive where it is met.
+    /// Computes from the constants a number that is positive if the condition is met.
     pub margin: FunctionId,
 }
 
-/// A structural mode: its functions by number, and how it ends.
+/// A structural mode: its functions by number, and its guards.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ModeTable {
     pub name: &'static str,
-    /// To the derivative of the whole state, without contacts.
+    /// Computes the derivative of the whole state, without contacts.
     pub derivative: FunctionId,
-    /// What moves by equations; none in a mode without degrees of freedom.
+    /// Entries that move by equations; empty in a mode without degrees of freedom.
     pub parts: Vec<PartTable>,
-    /// The same parts without natures of their own.
+    /// The same parts without their own natures.
     pub part_list: Vec<Part>,
     pub constraints: ConstraintTable,
     pub forces: ForceTable,
-    /// To the derivative's derivative by the state, row by row.
+    /// Computes the Jacobian of the derivative by the state, row by row.
     pub jacobian: FunctionId,
-    /// Its Taylor series, where it has one.
     pub series: Option<SeriesTable>,
-    /// What its equations are like; the fastest rate is found from the Jacobian at the rest pose.
+    /// Kind of the equations; their fastest rate comes from the Jacobian at the rest pose.
     pub kind: EquationKind,
-    /// From constants to a number that is 0 where these values let nothing be lost: the mode is
-    /// conservative then. None where it is so always or never.
+    /// Computes from the constants a number that is 0 if these values lose nothing: the mode is
+    /// then conservative. `None` if it always or never is.
     pub loss: Option<FunctionId>,
-    /// Whether its fastest rate is that of the state at hand, as of a felt that is pressed.
+    /// `true` if the fastest rate depends on the state, as of a felt that is pressed.
     pub is_stiffening: bool,
     pub guards: Vec<GuardTable>,
-    /// The same guards as they are watched.
+    /// Specifications of the same guards.
     pub guard_specs: Vec<GuardSpec>,
-    /// What each contact does here; one that cannot close here has no entry.
+    /// Contacts that can close here.
     pub contacts: Vec<ContactModeTable>,
     /// Degrees of freedom p, coordinates n and constraints m, in the paper's letters.
     pub freedom: Freedom,
@@ -208,34 +201,31 @@ pub struct ModeTable {
 pub struct ConstraintTable {
     /// Puts the slaved entries of the whole state in place; `None` if nothing is slaved.
     pub slaved: Option<FunctionId>,
-    /// Takes one Newton step towards the constraints that are not slaved; behind the state stands
-    /// how far each was from zero.
+    /// Takes one Newton step towards the constraints that are not slaved; the distance of each from
+    /// zero follows the state.
     pub projection: Option<FunctionId>,
     /// Number of constraints of the projection.
     pub projected: usize,
-    /// Computes from the constants how far an event may move a coordinate onto the constraints, in
-    /// the unit of the coordinate; farther is a fault. `None` allows any distance.
+    /// Computes from the constants the distance that an event may move a coordinate onto the
+    /// constraints, in its unit; farther is a fault. `None` allows any distance.
     pub longest_projection: Option<FunctionId>,
 }
 
-/// The functions of what a mode is felt and seen by, without contacts.
+/// The functions of a mode's forces and outputs, without contacts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ForceTable {
     pub readout: FunctionId,
     /// Computes the slopes of the readout by the input's position and by its rate, along the
     /// constraints.
     pub slopes: FunctionId,
-    /// Computes all outputs of the model.
     pub outputs: FunctionId,
     /// Computes energy (J), supplied and dissipated power (W).
     pub balance: FunctionId,
 }
 
 impl ModeTable {
-    /// A number that no function has.
     const NO_FUNCTION: FunctionId = FunctionId::MAX;
 
-    /// A mode in which nothing moves and nothing is known.
     pub const NOTHING: Self = Self {
         name: "",
         derivative: Self::NO_FUNCTION,
@@ -265,29 +255,29 @@ impl ModeTable {
     };
 }
 
-/// The Taylor series of a mode: two functions, and how many numbers they exchange.
+/// The Taylor series of a mode: two functions, and the count of numbers between them.
 ///
-/// A lane is a pair of factors whose products are summed up over the orders; the functions give
-/// the factors and take the sums.
+/// A lane is a pair of factors with products summed over the orders; the functions return the
+/// factors and use the sums.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SeriesTable {
-    /// To the outputs where the series begins, and behind them what the steps are given of it.
+    /// Computes the outputs at the start of the series, then the numbers carried to the steps.
     ///
-    /// The outputs are the derivative of what moves by equations, then what is slaved, guards and
-    /// conditions.
+    /// The outputs are the derivative of the entries that move by equations, then slaved entries,
+    /// guards and conditions.
     pub start: FunctionId,
-    /// From the coefficients of order k of state and input, and in `extra` k, 1/k, what `start` gave
-    /// and the lanes' sums: to the outputs' coefficients of order k, the first factors of all
-    /// lanes, and the second ones.
+    /// Computes from the coefficients of order k of state and input, and in `extra` k, 1/k, the
+    /// carried numbers and the lanes' sums: the outputs' coefficients of order k, the first factors
+    /// of all lanes, and the second ones.
     pub step: FunctionId,
-    /// The entries of the state that move by equations, as bits.
+    /// Entries of the state that move by equations, as bits.
     pub entries: u64,
-    /// How many guards have a series, the first of the mode's list.
+    /// Number of guards with a series, the first of the mode's list.
     pub guards: usize,
-    /// How many values there are at whose zeros the equations change their form.
+    /// Number of values at whose zeros the equations change their form.
     pub conditions: usize,
     pub lanes: usize,
-    /// How many numbers the steps are given of the start.
+    /// Count of numbers carried from the start to the steps.
     pub carried: usize,
 }
 
@@ -302,15 +292,15 @@ pub struct Freedom {
     pub p: u8,
 }
 
-/// A part of a mode that moves apart from the others.
+/// A part of a mode that moves independently of the others.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PartTable {
-    /// Its entries of the state, as bits.
+    /// Entries of the state, as bits.
     pub entries: u64,
-    /// To the derivative of the whole state, where only its entries count.
+    /// Computes the derivative of the whole state; only the part's entries count.
     pub derivative: FunctionId,
     pub kind: EquationKind,
-    /// As [`ModeTable::loss`], of what is lost by its entries.
+    /// As [`ModeTable::loss`], for losses of the part's entries.
     pub loss: Option<FunctionId>,
     pub reads: Reads,
 }
@@ -318,46 +308,45 @@ pub struct PartTable {
 /// A guard in one mode.
 #[derive(Clone, PartialEq, Debug)]
 pub struct GuardTable {
-    /// Its number in the model; guards of several modes with one name have one number.
+    /// Number in the model; guards of several modes with one name share it.
     pub id: u8,
     pub name: &'static str,
-    /// SI unit of the guard; `""` where it is not known.
+    /// SI unit of the guard; `""` if unknown.
     pub unit: &'static str,
     pub priority: u8,
     pub scale: f64,
     pub fires: Fires,
     pub reads: Reads,
-    /// To the guard and its rate.
+    /// Computes the guard and its rate.
     pub value: FunctionId,
-    /// From an enclosure in `extra` (see [`EnclosureLayout`]) to bounds of its move and bend.
+    /// Computes bounds of its move and bend from an enclosure in `extra` (see [`EnclosureLayout`]).
     pub bound: Option<FunctionId>,
-    /// Where it leads, the first way whose condition is positive.
+    /// Ways out; the first with a positive condition counts.
     pub ways: Vec<WayTable>,
-    /// To the speed of what strikes (m/s), before the reset.
+    /// Computes the speed of the strike (m/s), before the reset.
     pub sounds: Option<FunctionId>,
 }
 
 /// A way out of a mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct WayTable {
-    /// To a number that is positive where this way is taken; none is always.
+    /// Computes a number that is positive if this way is valid; `None` for always.
     pub when: Option<FunctionId>,
-    /// The number of the next mode.
     pub to: u8,
-    /// To the state after it, and behind it the impulse on the input; none keeps the state.
+    /// Computes the next state, followed by the impulse on the input; `None` keeps the state.
     pub reset: Option<FunctionId>,
-    /// Where such impacts come to rest; none where they are no impacts, or never do.
+    /// Rest of repeated impacts; `None` if they are no impacts, or never come to rest.
     pub resting: Option<RestingTable>,
 }
 
-/// How an impact with a restitution comes to rest.
+/// The end of impacts with a restitution.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RestingTable {
-    /// The mode in which the surfaces stay together.
+    /// Mode in which the surfaces stay together.
     pub to: u8,
-    /// To the state in it after an impact without rebound, and behind it the impulse.
+    /// Computes the state in it after an impact without rebound, followed by the impulse.
     pub state: FunctionId,
-    /// To the speed at which the surfaces approach (m/s or rad/s), and the restitution.
+    /// Computes the speed at which the surfaces approach (m/s or rad/s), and the restitution.
     pub meeting: FunctionId,
 }
 
@@ -365,7 +354,7 @@ pub struct RestingTable {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ContactTable {
     pub name: &'static str,
-    /// Typical size of the gap (m); none for a bearing.
+    /// Typical size of the gap (m); `None` for a bearing.
     pub gap: Option<f64>,
     /// Name of its friction, and typical sizes of its force (N) and slip speed (m/s).
     pub friction: Option<(&'static str, f64, f64)>,
@@ -374,69 +363,68 @@ pub struct ContactTable {
 /// A contact in one mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ContactModeTable {
-    /// Its number in the model.
+    /// Number in the model.
     pub contact: u8,
-    /// To the gap and its rate.
+    /// Computes the gap and its rate.
     pub gap: Option<FunctionId>,
-    /// From an enclosure to bounds of the gap's move and bend.
+    /// Computes bounds of the gap's move and bend from an enclosure.
     pub bound: Option<FunctionId>,
-    /// To what the closed contact adds to the derivative.
+    /// Computes the contribution of the closed contact to the derivative.
     pub normal: Option<FunctionId>,
-    /// To what it adds to the derivative's derivative by the state, row by row.
+    /// Computes its contribution to the Jacobian, row by row.
     pub jacobian: Option<FunctionId>,
-    /// To what it adds to readout, energy (J), supplied and dissipated power (W).
+    /// Computes its contribution to readout, energy (J), supplied and dissipated power (W).
     pub balance: Option<FunctionId>,
-    /// To the slip speed, its rate by time alone, and its gradient by the state.
+    /// Computes the slip speed, its rate by time alone, and its gradient by the state.
     pub slip: Option<FunctionId>,
-    /// From an enclosure to bounds of the slip speed's move and bend.
+    /// Computes bounds of the slip speed's move and bend from an enclosure.
     pub slip_bound: Option<FunctionId>,
-    /// To stiction and kinetic friction.
+    /// Computes stiction and kinetic friction.
     pub limits: Option<FunctionId>,
-    /// To what 1 N of friction adds to the derivative, and behind it to the readout.
+    /// Computes the contribution of 1 N of friction to the derivative, then to the readout.
     pub response: Option<FunctionId>,
-    /// To what it adds to the readout's slopes by the input's position and by its rate; none where
-    /// its friction is felt at the input.
+    /// Computes its contribution to the readout's slopes by the input's position and rate; `None`
+    /// if its friction is felt at the input.
     pub slopes: Option<FunctionId>,
-    /// To the speed of what strikes where it closes (m/s), 0 where it opens.
+    /// Computes the speed of the strike when it closes (m/s), 0 when it opens.
     pub sounds: Option<FunctionId>,
 }
 
-/// Where a model rests.
+/// Rest of a model.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RestTable {
     pub mode: u8,
     /// Other modes at rest, each where a function of the constants is positive; the first counts.
     pub instead: Vec<(FunctionId, u8)>,
-    /// To the state to start from.
+    /// Computes the initial guess of the state.
     pub state: FunctionId,
-    /// Whether that is improved to the equilibrium.
+    /// `true` if the guess is refined to the equilibrium.
     pub is_improved: bool,
 }
 
-/// A damper that the key lifts, and what sounds at all.
+/// A damper that the key lifts, and the softest tone.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DamperTable {
-    /// Key-front travel at which it leaves the string, and at which it is back (m).
+    /// Key-front travel at which the damper leaves the string, and at which it is back (m).
     pub lift: f64,
     pub fall: f64,
-    /// Speed below which what strikes does not sound (m/s).
+    /// Speed below which a strike does not sound (m/s).
     pub softest_tone: f64,
 }
 
-/// What becomes of strikes and of the key's force in MIDI.
+/// Conversion of strikes and of the key's force to MIDI.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct MidiTable {
-    /// Speeds of a strike that are as soft and as loud as a grand's softest and loudest tone (m/s);
-    /// none where what strikes is a hammer as fast as a grand's.
+    /// Strike speeds as soft and as loud as a grand's softest and loudest tone (m/s); `None` for a
+    /// hammer as fast as a grand's.
     pub speeds: Option<(f64, f64)>,
-    /// The velocity of every note, 1 ..= 127, of an instrument without dynamics.
+    /// Velocity of every note, 1 ..= 127, of an instrument without dynamics.
     pub velocity: Option<u8>,
-    /// What is sent while a key is held down.
+    /// Pressure sent while a key is held down.
     pub pressure: Option<PressureTable>,
 }
 
 impl MidiTable {
-    /// A hammer as fast as a grand's, and no pressure.
     pub const HAMMER: Self = Self { speeds: None, velocity: None, pressure: None };
 }
 
@@ -444,35 +432,35 @@ impl MidiTable {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PressureTable {
     pub kind: PressureKind,
-    /// Force at which it begins, and at which it is greatest (N).
+    /// Forces at which the pressure begins, and at which it is greatest (N).
     pub range: (f64, f64),
 }
 
-/// Whom a pressure concerns.
+/// Notes that a pressure concerns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PressureKind {
-    /// All notes: that of the key that is pressed hardest.
+    /// All notes, with the pressure of the key that is pressed hardest.
     Channel,
-    /// The key's own note.
+    /// The note of the key.
     Key,
 }
 
-/// How a model looks from the side; numbers come from one function of the constants.
+/// Drawing of a model from the side; one function of the constants computes its numbers.
 #[derive(Clone, PartialEq, Debug)]
 pub struct DrawingTable {
-    /// To left, bottom, right and top of the view (m), then the coordinates of all points.
+    /// Computes left, bottom, right and top of the view (m), then the coordinates of all points.
     pub numbers: FunctionId,
-    /// How many numbers that gives; 0 without a drawing.
+    /// Count of numbers; 0 without a drawing.
     pub count: usize,
     pub bodies: Vec<BodyTable>,
     pub springs: Vec<SpringTable>,
 }
 
-/// What is drawn as one: the three outputs from `output` on are its origin (m) and angle (rad).
+/// A rigid body: the three outputs from `output` on are its origin (m) and angle (rad).
 #[derive(Clone, PartialEq, Debug)]
 pub struct BodyTable {
     pub name: &'static str,
-    /// Number of the first of its outputs, which others may follow too; none on the ground.
+    /// Index of its first output, which others may follow too; `None` for the ground.
     pub output: Option<usize>,
     pub outlines: Vec<OutlineTable>,
 }
@@ -482,20 +470,19 @@ pub struct BodyTable {
 pub struct OutlineTable {
     pub material: Material,
     pub is_closed: bool,
-    /// Number of its first coordinate among the drawing's numbers, and of its points.
+    /// Index of its first coordinate among the drawing's numbers, and number of its points.
     pub points: (usize, usize),
-    /// Modes in which it is shown; all if there are none.
+    /// Modes that show the line; empty for all.
     pub modes: Vec<u8>,
 }
 
-/// What a line is made of.
+/// Material of a line.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Material {
     Wood,
     Felt,
     Metal,
     String,
-    /// What does not move.
     Ground,
     Finger,
 }
@@ -504,50 +491,49 @@ pub enum Material {
 #[derive(Clone, PartialEq, Debug)]
 pub struct SpringTable {
     pub name: &'static str,
-    /// A body, and the number of the point's first coordinate.
+    /// A body, and the index of the point's first coordinate.
     pub from: (usize, usize),
     pub to: (usize, usize),
     pub modes: Vec<u8>,
 }
 
-/// Where an enclosure's numbers stand in `extra`.
+/// Layout of an enclosure's numbers in `extra`.
 ///
-/// The state at the start of the step is the function's state. Its input are the largest
-/// magnitudes of the input and its rates over the step; infinite where they are not known.
+/// The function's state is that at the start of the step. Its input contains the largest magnitudes
+/// of the input and its rates over the step; infinite if unknown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct EnclosureLayout;
 
 impl EnclosureLayout {
-    /// Numbers of each entry of the state.
+    /// Count of numbers for each entry of the state.
     pub const STRIDE: usize = 4;
 
-    /// Returns the place of the bound of |x(τ) − x(0)| of an entry.
+    /// Returns the index of the bound of |x(τ) − x(0)| of an entry.
     pub const fn moves(entry: usize) -> usize {
         Self::STRIDE * entry
     }
 
-    /// Returns the place of the bound of |dx/dτ| of an entry.
+    /// Returns the index of the bound of |dx/dτ| of an entry.
     pub const fn speed(entry: usize) -> usize {
         Self::STRIDE * entry + 1
     }
 
-    /// Returns the place of the bound of |d²x/dτ²| of an entry.
+    /// Returns the index of the bound of |d²x/dτ²| of an entry.
     pub const fn bend(entry: usize) -> usize {
         Self::STRIDE * entry + 2
     }
 
-    /// Returns the place of the step's length (s).
+    /// Returns the index of the step's length (s).
     pub const fn step() -> usize {
         3
     }
 
-    /// Returns the place of the input's position at the start of the step, of a state with two
-    /// entries or more.
+    /// Returns the index of the input's position at the start, if the state has two entries or more.
     pub const fn input_start() -> usize {
         Self::STRIDE + 3
     }
 
-    /// Returns the bounds, the length and the input's start as they stand in `extra`.
+    /// Returns the bounds, the length and the input's start in the layout of `extra`.
     #[inline]
     pub fn numbers<const N: usize>(over: &Enclosure<[f64; N], Motion>) -> [[f64; 4]; N] {
         core::array::from_fn(|i| {
