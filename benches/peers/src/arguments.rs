@@ -7,7 +7,6 @@ use std::path::PathBuf;
 pub(crate) struct Arguments {
     /// `true` if there are fewer rounds and shorter repeats: a check that everything runs.
     pub(crate) quick: bool,
-    /// Folder of the results.
     pub(crate) out: PathBuf,
     /// A Python with SciPy, heyoka, MuJoCo and Drake.
     pub(crate) python: Option<PathBuf>,

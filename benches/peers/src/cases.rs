@@ -13,9 +13,8 @@ use crate::reference::{self, Reference};
 /// A problem with its reference and the codes that run on it.
 pub(crate) struct Case {
     pub(crate) name: &'static str,
-    /// One-line description.
     pub(crate) summary: &'static str,
-    /// Its end (s).
+    /// End (s).
     pub(crate) t_end: f64,
     pub(crate) reference: Reference,
     /// The rows of the codes that are Rust.
@@ -102,7 +101,6 @@ fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case
     Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })
 }
 
-/// Builds a cradle with the parameters of its reference.
 fn cradle(name: &'static str, summary: &'static str) -> Result<Case, String> {
     contact::<Cradle, 10, 4, 11>(name, "cradle", summary, |of| {
         let gaps = [of("gap0")?, of("gap1")?, of("gap2")?, of("gap3")?];
@@ -220,7 +218,6 @@ mod tests {
         }
     }
 
-    /// Asserts that two evaluations of the same arithmetic agree to rounding.
     #[track_caller]
     fn check<const K: usize>(ours: [f64; K], theirs: [f64; K]) {
         let scale = ours.iter().fold(1.0, |most: f64, it| most.max(it.abs()));

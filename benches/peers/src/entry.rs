@@ -26,7 +26,6 @@ impl fmt::Display for Setting {
 /// Runs the code once from the start to the end of the problem.
 pub(crate) type Run = Box<dyn Fn(&mut Log) -> Result<(), String>>;
 
-/// One code with one method and setting on one problem.
 pub(crate) struct Entry {
     /// Name of the code, as in [`crate::versions`].
     pub(crate) code: &'static str,
@@ -34,7 +33,6 @@ pub(crate) struct Entry {
     pub(crate) setting: Setting,
     /// Relative and absolute tolerance, or step (s).
     pub(crate) knob: f64,
-    /// Remark for the reader of the row.
     pub(crate) note: &'static str,
     pub(crate) run: Run,
 }

@@ -14,7 +14,6 @@ use crate::entry::tolerances;
 use crate::judge::{judge, judge_states};
 use crate::row::Row;
 
-/// A program with its command line.
 #[derive(Clone, Debug)]
 pub(crate) struct External {
     pub(crate) code: &'static str,
@@ -26,7 +25,6 @@ pub(crate) struct External {
     pub(crate) only: &'static [&'static str],
 }
 
-/// One line of the program's output.
 #[derive(Debug, Deserialize)]
 struct Line {
     version: String,
@@ -107,7 +105,6 @@ impl External {
     }
 }
 
-/// Returns the case as `name value` lines.
 fn parameters(case: &Case, budget: Duration, last: i32) -> String {
     let mut text = case.parameters.clone();
     let mut line = |name: &str, value: f64| {

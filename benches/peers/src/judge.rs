@@ -3,7 +3,6 @@
 
 use crate::reference::{Expected, Reference};
 
-/// Comparison of a run with the reference.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Verdict {
     /// `true` if the code reports events; otherwise only its states are judged.
@@ -53,7 +52,6 @@ pub(crate) fn judge(
     }
 }
 
-/// Describes the first difference of the two sequences.
 fn difference(expected: &[Expected], seen: &[(f64, &str)]) -> Option<String> {
     let same = |(e, s): &(&Expected, &(f64, &str))| e.guard == s.1;
     let first = expected.iter().zip(seen).take_while(same).count();

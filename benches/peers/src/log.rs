@@ -36,7 +36,6 @@ impl Log {
         if self.events.len() < MOST_EVENTS { Ok(()) } else { Err(last()) }
     }
 
-    /// Returns `true` if states are recorded; timed runs record none.
     pub(crate) fn wants_states(&self) -> bool {
         !self.wanted.is_empty()
     }

@@ -63,7 +63,6 @@ fn parameter_folder(out: &Path) -> Result<PathBuf, String> {
 /// Problems for the codes that compute contacts.
 const CONTACTS: &[&str] = &["cradle-1", "cradle-0.8", "block"];
 
-/// Returns the programs of other languages that the arguments name.
 fn externals(arguments: &Arguments) -> Vec<External> {
     let script = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("external").join(name);
     let mut all = Vec::new();

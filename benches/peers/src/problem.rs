@@ -30,7 +30,6 @@ pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {
         (self.guards(mode, x)[guard], self.guard_rates(mode, x)[guard])
     }
 
-    /// Returns mode and state after guard `guard` has fired.
     fn fire(&self, mode: Self::Mode, guard: usize, x: &[f64; N]) -> (Self::Mode, [f64; N]);
 
     /// Moves the state clearly to the valid side of the guard that has just fired, for codes whose

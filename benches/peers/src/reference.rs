@@ -22,7 +22,6 @@ pub(crate) struct Expected {
     pub(crate) guard: String,
 }
 
-/// Events in their order, and states away from them.
 #[derive(Clone, Debug)]
 pub(crate) struct Reference {
     pub(crate) events: Vec<Expected>,

@@ -12,7 +12,6 @@ use crate::row::Row;
 use crate::table;
 use crate::versions::Machine;
 
-/// The head of results.json, before the rows.
 #[derive(Serialize)]
 struct Results<'a> {
     machine: &'a Machine,

@@ -10,7 +10,6 @@ use crate::log::Log;
 use crate::measure;
 use crate::row::Row;
 
-/// Rounds and time of the benchmark.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plan {
     pub(crate) rounds: u32,
@@ -19,7 +18,6 @@ pub(crate) struct Plan {
     pub(crate) last: i32,
 }
 
-/// Results of the benchmark.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Outcome {
     pub(crate) rows: Vec<Row>,
@@ -85,7 +83,6 @@ fn run_externals(
     }
 }
 
-/// Adds the row's times to the row of an earlier round.
 fn merge(rows: &mut Vec<Row>, row: Row) {
     match rows.iter_mut().find(|known| known.is_same(&row)) {
         Some(known) => known.times.extend(row.times),

@@ -7,7 +7,6 @@ use crate::judge::Verdict;
 use crate::measure::median_and_minimum;
 use crate::versions::version;
 
-/// A row of results.json.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Row {
     pub(crate) problem: String,

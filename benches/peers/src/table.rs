@@ -166,7 +166,6 @@ fn failures(rows: &[&Row]) -> String {
     text + "\n"
 }
 
-/// Formats three digits.
 fn figure(value: Option<f64>) -> String {
     value.map_or_else(
         || "–".to_owned(),

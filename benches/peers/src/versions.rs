@@ -5,7 +5,6 @@ use std::process::Command;
 
 use serde::Serialize;
 
-/// The lock file that this program was built from.
 const LOCK: &str = include_str!("../Cargo.lock");
 
 /// Returns the version of a Rust code, or "-" for one without version.
@@ -26,7 +25,6 @@ pub(crate) struct Machine {
     pub(crate) cpu: String,
     pub(crate) cores: usize,
     pub(crate) kernel: String,
-    /// The compiler of the Rust codes.
     pub(crate) rustc: String,
     pub(crate) date: String,
 }

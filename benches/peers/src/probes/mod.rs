@@ -7,10 +7,8 @@ mod ode_solvers;
 
 use serde::Serialize;
 
-/// One observation.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub(crate) struct Probe {
-    /// The code with its version.
     pub(crate) code: String,
     /// The question, the right answer, and the code's answer.
     pub(crate) seen: String,

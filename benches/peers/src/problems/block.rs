@@ -13,12 +13,10 @@ pub(crate) struct Block {
     pub(crate) half: [f64; 2],
     /// Gravity (m/s²).
     pub(crate) g: f64,
-    /// Coefficient of friction.
     pub(crate) mu: f64,
     pub(crate) start: (Mode, [f64; 4]),
 }
 
-/// The touching corner and its motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Mode {
     /// Touching corner: 1 right, −1 left.
@@ -92,7 +90,6 @@ impl Block {
         Mode { corner, slides }
     }
 
-    /// Returns mode and state after the impact of `corner`.
     fn impact(&self, corner: i8, x: &[f64; 4]) -> (Mode, [f64; 4]) {
         let ([a, b], inertia) = (self.half, self.inertia());
         let a = f64::from(corner) * a;

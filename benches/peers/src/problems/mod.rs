@@ -1,5 +1,3 @@
-//! The problems.
-
 mod ball;
 mod block;
 mod cradle;

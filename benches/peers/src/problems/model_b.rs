@@ -26,7 +26,6 @@ pub(crate) struct ModelB {
     pub(crate) rest: [f64; 4],
 }
 
-/// Contact configuration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Mode {
     /// B1: hammer on the key.
@@ -36,7 +35,6 @@ pub(crate) enum Mode {
 }
 
 impl ModelB {
-    /// Returns the parameters as `name value` lines, for the other programs.
     pub(crate) fn lines(&self, t_end: f64) -> String {
         let names = "L1 L2 L3 L4 weight_key weight_hammer k1 k2 JK JH string restitution";
         let bells = self.bells.as_flattened();

@@ -29,7 +29,6 @@ impl<const N: usize, const G: usize, P: Problem<N, G>> Event<f64, [f64; N]> for 
     }
 }
 
-/// Records the wanted states, and does nothing else.
 struct Sampler<'a>(&'a RefCell<&'a mut Log>);
 
 impl<const N: usize> Solout<f64, [f64; N]> for Sampler<'_> {

@@ -6,7 +6,6 @@ use differential_equations::prelude::ODE;
 
 use crate::problem::Problem;
 
-/// A problem in its current mode.
 pub(super) struct Flight<'a, const N: usize, const G: usize, P: Problem<N, G>> {
     pub(super) problem: &'a P,
     pub(super) mode: &'a Cell<P::Mode>,

@@ -27,7 +27,6 @@ enum Method {
     Dopri5,
 }
 
-/// Location of the events.
 #[derive(Clone, Copy)]
 enum Events {
     Its,
@@ -37,7 +36,6 @@ enum Events {
     Ours,
 }
 
-/// All rows.
 pub(crate) fn entries<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: P,
     t_end: f64,

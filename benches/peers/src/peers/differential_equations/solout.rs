@@ -14,7 +14,6 @@ use crate::problem::{Problem, armed};
 /// the run, so the run ends that much later.
 pub(super) const FIRST: f64 = 0.01;
 
-/// Watches the guards in each step.
 struct Watcher<'a, const N: usize, const G: usize, P: Problem<N, G>> {
     problem: &'a P,
     t_end: f64,

@@ -119,7 +119,6 @@ fn build<const N: usize, const G: usize, P: Problem<N, G>>(
         .map_err(|error| error.to_string())
 }
 
-/// Returns a closure that builds a solver and drives it.
 fn runner<const N: usize, const G: usize, P, E>(
     problem: P,
     t_end: f64,

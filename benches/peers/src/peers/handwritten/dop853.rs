@@ -14,7 +14,6 @@ const FIRST: f64 = 1e-3;
 /// Number of steps at which a run fails.
 const MOST_STEPS: u32 = 1_000_000;
 
-/// State of the integration.
 struct Integrator<'a, P: Problem<N, G>, const N: usize, const G: usize> {
     problem: &'a P,
     mode: P::Mode,
@@ -68,7 +67,6 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         new
     }
 
-    /// Evaluates derivative and guards of a new mode or state.
     fn restart(&mut self) {
         self.k[0] = self.problem.derivative(self.mode, self.time, &self.x);
         self.evaluations += 1;

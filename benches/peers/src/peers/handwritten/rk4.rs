@@ -47,7 +47,6 @@ pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     }
 }
 
-/// Takes one step of `h` from `time` (s).
 #[inline]
 fn step<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,

@@ -104,7 +104,6 @@ impl<const N: usize> Dense<N> {
         Self { start: *x, terms }
     }
 
-    /// Returns the state at the part `theta` of the step.
     pub(super) fn at(&self, theta: f64) -> [f64; N] {
         let mut x = [0.0; N];
         for (index, term) in self.terms.iter().rev().enumerate() {

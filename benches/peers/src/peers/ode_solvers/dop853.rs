@@ -7,7 +7,6 @@ use super::events::Solver;
 use super::flight::{Flight, state};
 use crate::problem::Problem;
 
-/// Locates events with shorter steps.
 pub(super) struct LastStep;
 
 /// Returns the crate's defaults, except step lengths and output.

@@ -11,7 +11,6 @@ use super::flight::{Flight, state, vector};
 use crate::log::Log;
 use crate::problem::Problem;
 
-/// Locates events on the continuous output.
 pub(super) struct LastStep;
 
 /// Returns the crate's defaults, except step lengths and output.

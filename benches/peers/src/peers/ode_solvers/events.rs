@@ -11,7 +11,6 @@ use crate::log::Log;
 use crate::peers::handwritten::falling;
 use crate::problem::Problem;
 
-/// A solver of the crate.
 pub(super) trait Solver {
     /// Integrates with sparse output from `from` to `until` (s), or until a guard falls.
     fn integrate<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(

@@ -30,9 +30,7 @@ pub(crate) struct Ours<M: Model, I> {
     pub(crate) start: (M::Mode, M::State),
 }
 
-/// Input of a model as a function of time.
 pub(crate) trait Driven<T> {
-    /// Returns the input at `t` (s).
     fn at(&self, t: f64) -> T;
 
     /// Writes the power series in units of `dt` (s); returns `false` if there is none.
@@ -145,7 +143,6 @@ where
     [entry("exact flow", note, exact), entry("RK4", longest, rk4)]
 }
 
-/// Returns limits without a deadline.
 fn offline() -> Limits {
     Limits {
         events: u32::MAX,

@@ -14,7 +14,6 @@ use crate::problems::{Ball, Block, Cradle};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Written<P, const N: usize, const G: usize>(pub(crate) P);
 
-/// Static description of a model's guards.
 pub(crate) trait Specified {
     type Mode;
 
