@@ -9,7 +9,6 @@ impl Counts {
     pub const MIN: Self = Self(-0x80_0000);
     pub const LEN: usize = 3;
 
-    /// Returns the nearest reading to `counts` in 24 bits.
     pub const fn saturating(counts: i32) -> Self {
         if counts > Self::MAX.0 {
             Self::MAX
@@ -29,7 +28,6 @@ impl Counts {
         saturated(self.0)
     }
 
-    /// Returns three bytes of little-endian two's complement.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         let [low, middle, high, _sign] = self.0.to_le_bytes();
         [low, middle, high]
@@ -53,7 +51,6 @@ impl Millinewtons {
     pub const MIN: Self = Self(i16::MIN);
     pub const LEN: usize = 2;
 
-    /// Returns the nearest force to `millinewtons` in 16 bits.
     pub fn saturating(millinewtons: i32) -> Self {
         Self(saturated(millinewtons))
     }

@@ -23,7 +23,6 @@ use firmware_protocol::serial::{self, Deframer, FramingError};
 use crate::random::Random;
 use crate::tools::{STRICT, are_there, crate_root, run, say, scratch};
 
-/// Number of random frames to compare.
 const FRAMES: usize = 8_000;
 
 #[test]

@@ -43,7 +43,6 @@ fn nothing(_: &KeySamples) -> [i32; KEYS] {
     [0; KEYS]
 }
 
-/// Renders 2 N down on each key.
 fn down(_: &KeySamples) -> [i32; KEYS] {
     [-2_000; KEYS]
 }
@@ -67,7 +66,6 @@ fn place(rig: &Rig) -> i32 {
     first_key(&rig.samples().last().expect("samples").1).0
 }
 
-/// Counts missing samples by their numbers.
 fn missing(rig: &Rig) -> usize {
     let samples = rig.samples();
     let gap = |pair: &[(u64, KeySamples)]| {
@@ -82,8 +80,6 @@ fn missing(rig: &Rig) -> usize {
 fn check_share(part: f64, whole: f64, share: f64) {
     assert!((part / whole - share).abs() < 0.03, "{part} of {whole}");
 }
-
-// ---- The honest board. ----
 
 #[test]
 fn without_faults_the_rig_takes_every_force_and_hands_out_what_the_spring_stores() {
@@ -230,8 +226,6 @@ fn check_hello(path: &Path) {
     assert_eq!(hello.map(|it| it.hello.uid), Some(*b"RIG\0\0\0"));
 }
 
-// ---- The link. ----
-
 #[test]
 fn half_sends_every_second_frame_without_a_gap_in_the_numbers() {
     let Some(rig) = played("half", spring) else { return };
@@ -364,8 +358,6 @@ fn oldminor_knows_nothing_of_2_2() {
     rig.play(spring, 100);
 }
 
-// ---- Motors. ----
-
 #[test]
 fn a_motor_that_is_turned_dead_weak_or_stuck_does_as_it_is_called() {
     let Some(honest) = pressed(&[]) else { return };
@@ -431,8 +423,6 @@ fn mutelies_says_that_a_key_is_muted_and_renders_on() {
         assert_eq!(rig.end().text("muted"), "1");
     }
 }
-
-// ---- Encoders. ----
 
 /// Returns positions and velocities of slot 0 in every frame. The host renders nothing, so the
 /// finger moves the key along the same path for every encoder.
@@ -513,9 +503,6 @@ fn frozen_and_jumpy_stay_where_the_fault_began() {
     assert!(jumps.into_iter().all(|it| it == 2_000));
 }
 
-// ---- Health and power. ----
-
-/// Returns the condition of the board, and of the key in slot 0.
 fn health(rig: &mut Rig) -> (BoardHealth, KeyHealth) {
     let board = rig.get(Operation::BoardHealth, &Nothing);
     (board, rig.get(Operation::KeyHealth, &ReadKeyHealth { slot: 0 }))

@@ -8,5 +8,4 @@ record! {
     }
 }
 
-/// Required value of the request.
 pub const MAGIC: [u8; 4] = *b"BOOT";

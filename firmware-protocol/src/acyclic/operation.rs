@@ -40,9 +40,6 @@ macro_rules! define_operations {
         pub trait BoardOperations {
             $(
                 #[doc = $meaning]
-                ///
-                /// # Errors
-                /// The status, if it is not [`Status::Done`].
                 fn $function(&mut self, _request: $request) -> Result<$answer, Status> {
                     Err(Status::Unknown)
                 }

@@ -20,9 +20,7 @@ pub enum Class {
     Stop = 0,
     /// Bus time, and "who is there?".
     Sync = 1,
-    /// Forces of 30 keys.
     MulticastForces = 2,
-    /// Forces of one board.
     KeyForces = 3,
     KeySamples = 4,
     Request = 8,

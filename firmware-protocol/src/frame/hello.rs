@@ -25,7 +25,6 @@ pub mod feature {
     /// Renders slopes between frames.
     pub const SLOPES: u16 = 1 << 0;
     pub const MULTICAST: u16 = 1 << 1;
-    /// Has velocities in its samples.
     pub const VELOCITY: u16 = 1 << 2;
     /// Is a simulation with fingers, see [`crate::acyclic::finger`].
     pub const FINGERS: u16 = 1 << 3;
@@ -37,7 +36,6 @@ pub mod feature {
 
 /// Reasons for the safe state, in [`Hello::safe_reason`].
 pub mod safe_reason {
-    /// The board is not safe.
     pub const NONE: u8 = 0;
     pub const NEVER_ARMED: u8 = 1;
     /// Its forces expired.

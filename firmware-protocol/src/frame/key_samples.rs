@@ -27,9 +27,7 @@ pub enum SamplePacking {
     Position16 = 0,
     #[default]
     Position24 = 1,
-    /// Position, 16 bits, and velocity.
     Position16Velocity = 2,
-    /// Position, 24 bits, and velocity.
     Position24Velocity = 3,
 }
 

@@ -164,7 +164,6 @@ impl Board {
         }
     }
 
-    /// Removes the oldest frame of `kind` that has arrived.
     fn take(&mut self, kind: FrameKind) -> Option<Vec<u8>> {
         let at = self.frames.iter().position(|frame| FrameKind::of(frame) == Some(kind))?;
         self.frames.remove(at)
@@ -219,7 +218,6 @@ impl Board {
         self.next(FrameKind::Reply, PATIENCE, any).expect("a reply")
     }
 
-    /// Sends a request that succeeds, and returns the record of its answer.
     pub(crate) fn get<R: Record, A: Record>(&mut self, operation: Operation, record: &R) -> A {
         let (status, record) = self.ask(operation, record);
         assert_eq!(status, Status::Done, "{operation:?}");
@@ -259,7 +257,6 @@ impl Board {
         self.next(FrameKind::KeySamples, PATIENCE, read).expect("samples come")
     }
 
-    /// Returns the newest samples, and drops older ones.
     pub(crate) fn newest_samples(&mut self) -> KeySamples {
         let mut newest = self.samples();
         while self.frames.iter().any(|frame| FrameKind::of(frame) == Some(FrameKind::KeySamples)) {

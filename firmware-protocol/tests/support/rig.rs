@@ -54,30 +54,25 @@ pub(crate) fn build(name: &str, flags: &str) -> Option<PathBuf> {
     Some(program)
 }
 
-/// Returns the rig, built once; `None` without a compiler.
 pub(crate) fn program() -> Option<&'static Path> {
     static PROGRAM: OnceLock<Option<PathBuf>> = OnceLock::new();
     PROGRAM.get_or_init(|| build("plain", "")).as_deref()
 }
 
-/// Returns a path for a report that no other test uses.
 pub(crate) fn new_report() -> PathBuf {
     static REPORTS: AtomicUsize = AtomicUsize::new(0);
     let number = REPORTS.fetch_add(1, Ordering::Relaxed);
     scratch(&format!("rig_report_{}_{number}.json", std::process::id()))
 }
 
-/// A frame, and the host's time of its arrival (us).
 pub(crate) struct Arrival {
     pub(crate) at_us: u64,
     pub(crate) frame: Vec<u8>,
 }
 
-/// A running rig, and a host that answers its samples.
 pub(crate) struct Rig {
     child: Child,
     report: PathBuf,
-    /// The host's time (us).
     pub(crate) now_us: u64,
     outgoing: Vec<u8>,
     deframer: Deframer,
@@ -87,7 +82,6 @@ pub(crate) struct Rig {
     pub(crate) arrivals: Vec<Arrival>,
     /// Number of segments of the stream that were no frames.
     pub(crate) corrupt: usize,
-    /// Number of force frames that were sent.
     pub(crate) sent: usize,
 }
 
@@ -204,7 +198,6 @@ impl Rig {
         self.try_ask(operation, record).expect("an answer")
     }
 
-    /// Sends a request that succeeds, and returns the record of its answer.
     pub(crate) fn get<R: Record, A: Record>(&mut self, operation: Operation, record: &R) -> A {
         let (status, record) = self.ask(operation, record);
         assert_eq!(status, Status::Done, "{operation:?}");
@@ -243,7 +236,6 @@ impl Rig {
         self.arrivals.iter().filter_map(read).map(|who| who.hello).collect()
     }
 
-    /// Kills the rig; returns the report that it has left.
     pub(crate) fn kill(mut self) -> Report {
         self.child.kill().expect("it runs");
         Report::read(&self.report)
@@ -273,7 +265,6 @@ pub(crate) fn first_key(samples: &KeySamples) -> (i32, i32) {
     (samples.positions.as_slice()[0].get(), samples.velocities.as_slice()[0].get().into())
 }
 
-/// Report that the rig has written.
 pub(crate) struct Report(String);
 
 impl Report {
