@@ -156,7 +156,6 @@ struct Place<M: Described> {
     input: Motion,
 }
 
-/// Returns `n` random places in every mode of every preset.
 fn places<M: Playable>(
     model: &M,
     n: usize,

@@ -59,8 +59,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.table().constants.requirements.iter().filter(is_unmet)
     }
 
-    /// Writes the [`count`](crate::equations::table::DrawingTable::count) numbers of the drawing, if
-    /// `out` has room for them.
+    /// Writes the numbers of the drawing, if `out` has room for its `count`.
     pub fn drawing_numbers(&self, out: &mut [f64]) {
         let drawing = &self.table().drawing;
         if out.len() >= drawing.count {

@@ -17,7 +17,6 @@ const ON_THE_WAY: u8 = 9;
 /// Lead of the input over the pose, as fractions of the whole travel: the finger presses.
 const AHEAD: [f64; 2] = [0.0, 0.1];
 
-/// A state at an input.
 type Pose<const N: usize> = ([f64; N], Motion);
 
 impl ModeNatures {
@@ -80,7 +79,7 @@ impl Rates {
     /// Returns the largest rates over the poses between two at which the mode holds, with its
     /// guards positive; over these two if it holds at none.
     ///
-    /// Other poses do not count: rubbing under a force that never occurs there would be the fastest.
+    /// Other poses do not count: rubbing under a force that never occurs would be the fastest.
     fn of<F: Equations + Clone, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,
         mode: ModeNumber,

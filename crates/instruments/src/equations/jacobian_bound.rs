@@ -40,7 +40,6 @@ pub(crate) fn fastest<const N: usize>(rows: &[[f64; N]; N], entries: u64, rounds
     if least.is_finite() { least } else { 0.0 }
 }
 
-/// Computes the bound once, when the model is built.
 pub(crate) fn fastest_once<const N: usize>(rows: &[[f64; N]; N], entries: u64) -> f64 {
     fastest(rows, entries, ROUNDS)
 }

@@ -29,7 +29,6 @@ pub enum DoesNotFit {
 }
 
 impl<F: Equations, const N: usize, const C: usize> PartialEq for EquationModel<F, N, C> {
-    /// Returns `true` if both have the same table and equal constants.
     fn eq(&self, other: &Self) -> bool {
         core::ptr::eq(self.functions.table(), other.functions.table())
             && self.constants == other.constants
@@ -58,10 +57,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Ok(model)
     }
 
-    /// Returns the model with other parameters; a missing one comes from the default preset.
-    ///
-    /// # Real-time
-    /// As of [`new`](Self::new).
+    /// Like [`new`](Self::new) with other parameters, and with the same bound.
     #[must_use]
     pub fn with_values(&self, parameters: &[f64]) -> Self {
         let mut model = self.clone();
@@ -71,7 +67,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         model
     }
 
-    /// Computes the constants of these parameters.
     fn derived(&self, parameters: &[f64]) -> [f64; C] {
         let count = self.table().parameters.len();
         let mut constants = [0.0; C];
@@ -137,7 +132,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.call_with(function, (x, &rates_of(input)), &[], out);
     }
 
-    /// Like `call`, with further arguments.
     #[inline]
     pub(crate) fn call_with(
         &self,
@@ -149,7 +143,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.functions.call(function, &self.arguments(state, input, extra), out);
     }
 
-    /// Collects the arguments of a function.
     #[expect(clippy::inline_always, reason = "a call takes the arguments through memory")]
     #[inline(always)]
     pub(crate) const fn arguments<'a>(
@@ -211,7 +204,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// Returns the input and its rates as arguments of a function.
 #[expect(clippy::inline_always, reason = "a call takes the input through memory")]
 #[inline(always)]
 pub(crate) const fn rates_of(input: &Motion) -> [f64; 4] {

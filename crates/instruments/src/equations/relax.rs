@@ -80,7 +80,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         (there <= height + ENERGY_ROUNDING * height.abs()).then_some((next, there))
     }
 
-    /// Returns the state without speeds.
     fn stopped(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         self.constrain(mode, &x.head_of(self.table().coordinates, &[0.0; N]), input)
     }
@@ -132,7 +131,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         (rates, rows)
     }
 
-    /// Returns the derivative with all contacts whose surfaces overlap.
     fn held_rates(&self, table: &ModeTable, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mut rates = [0.0; N];
         self.call(table.derivative, x, input, &mut rates);

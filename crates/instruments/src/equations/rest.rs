@@ -40,9 +40,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 
     /// Returns mode and state at rest under a constant input, or the start that the table states.
-    ///
-    /// # Real-time
-    /// As [`Self::rest_pose`]: bounded, but intended for once per voice.
+    /// Bounded as [`Self::rest_pose`], but intended for once per voice.
     pub fn at_rest(&self, input: &Motion) -> (ModeNumber, [f64; N]) {
         let RestPose { mode, state, .. } = self.rest_pose(input);
         (mode, state)
@@ -78,7 +76,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.rest_in(self.rest_mode(input), input).state
     }
 
-    /// Returns the table's rest mode for these parameters.
     fn rest_mode(&self, input: &Motion) -> ModeNumber {
         let rest = &self.table().rest;
         let is_met = |when| {
@@ -143,7 +140,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         exact.or_else(|| is_still().then_some(*low))
     }
 
-    /// Returns the end of Newton's method from `guess`, if it converges.
     fn equilibrium(&self, mode: ModeNumber, guess: &[f64; N], input: &Motion) -> Option<[f64; N]> {
         let table = self.mode_table(mode);
         let moving = table.parts.iter().fold(0, |all, part| all | part.entries);

@@ -20,7 +20,7 @@ const CARRIED: usize = 2;
 const SIZES: [(usize, usize); 5] = [(4, 1), (8, 1), (7, 2), (8, 2), (8, 4)];
 
 impl SeriesTable {
-    /// Counts the numbers per order for `states` entries: rates, slaved entries, guards, conditions.
+    /// Counts the numbers per order: rates, slaved entries, guards and conditions.
     const fn outputs(&self, states: usize) -> usize {
         states + self.guards + self.conditions
     }
@@ -101,7 +101,6 @@ struct SeriesWriter<'a> {
 }
 
 impl SeriesWriter<'_> {
-    /// Writes every order up to the highest.
     fn expand<const PAIRS: usize, const BLOCKS: usize>(&mut self) {
         let mut lanes = [SeriesLanes::<PAIRS>::ZERO; BLOCKS];
         let (mut given, mut made) = ([[0.0; ROOM]; BLOCKS], [[0.0; ROOM]; BLOCKS]);

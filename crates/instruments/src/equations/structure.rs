@@ -39,7 +39,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         })
     }
 
-    /// Returns the contribution of the friction forces to the readout.
     pub(crate) fn friction_readout(
         &self,
         mode: ModeNumber,

@@ -70,7 +70,6 @@ impl<E: Equations + ?Sized> Equations for Arc<E> {
 #[derive(Clone, PartialEq, Debug)]
 pub struct ModelTable {
     pub name: &'static str,
-    /// One-line description.
     pub summary: Box<str>,
     pub parameters: Vec<ParameterTable>,
     /// Presets; the first is the default.
@@ -96,7 +95,6 @@ pub struct ConstantTable {
     pub count: usize,
     /// Computes the derived constants from `constants[..parameters.len()]`.
     pub derive: FunctionId,
-    /// Conditions on possible values.
     pub requirements: Vec<RequirementTable>,
 }
 
@@ -152,7 +150,6 @@ pub struct ParameterTable {
 pub struct PresetTable {
     pub name: &'static str,
     pub doc: Box<str>,
-    /// Computes one value per parameter from the key.
     pub values: FunctionId,
 }
 
@@ -188,7 +185,6 @@ pub struct ModeTable {
     /// `true` if the fastest rate depends on the state, as of a felt that is pressed.
     pub is_stiffening: bool,
     pub guards: Vec<GuardTable>,
-    /// Specifications of the same guards.
     pub guard_specs: Vec<GuardSpec>,
     /// Contacts that can close here.
     pub contacts: Vec<ContactModeTable>,
@@ -363,7 +359,6 @@ pub struct ContactTable {
 /// A contact in one mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ContactModeTable {
-    /// Number in the model.
     pub contact: u8,
     /// Computes the gap and its rate.
     pub gap: Option<FunctionId>,
@@ -420,7 +415,6 @@ pub struct MidiTable {
     pub speeds: Option<(f64, f64)>,
     /// Velocity of every note, 1 ..= 127, of an instrument without dynamics.
     pub velocity: Option<u8>,
-    /// Pressure sent while a key is held down.
     pub pressure: Option<PressureTable>,
 }
 
@@ -528,12 +522,11 @@ impl EnclosureLayout {
         3
     }
 
-    /// Returns the index of the input's position at the start, if the state has two entries or more.
+    /// Returns the index of the input's position at the start; the state has two entries or more.
     pub const fn input_start() -> usize {
         Self::STRIDE + 3
     }
 
-    /// Returns the bounds, the length and the input's start in the layout of `extra`.
     #[inline]
     pub fn numbers<const N: usize>(over: &Enclosure<[f64; N], Motion>) -> [[f64; 4]; N] {
         core::array::from_fn(|i| {

@@ -12,7 +12,6 @@ use crate::model::parts::ModelParts;
 
 /// A model with names for its structural modes, and a number for each mode.
 pub trait NamedModes: Model {
-    /// Returns the data that all voices of the model share.
     fn shared(&self) -> &Arc<ModelParts>;
 
     fn mode_code(&self, mode: Self::Mode) -> ModeCode;
@@ -76,7 +75,6 @@ pub trait Described:
 
 /// A model that can be rendered on a key.
 pub trait Playable: Described {
-    /// Returns the damper that the key lifts.
     fn damper(&self) -> Damper {
         let damper = self.shared().table().sound.damper;
         damper.map_or(Damper::USUAL, |it| Damper { lift: it.lift, fall: it.fall })
@@ -88,7 +86,6 @@ pub trait Playable: Described {
         damper.map_or(Damper::USUAL_SOFTEST_TONE, |it| it.softest_tone)
     }
 
-    /// Returns the conversion of strikes and of the key's force to MIDI.
     fn midi(&self) -> MidiTable {
         self.shared().table().sound.midi
     }
@@ -97,7 +94,6 @@ pub trait Playable: Described {
     /// finger is the readout times this.
     fn input_per_metre(&self) -> f64;
 
-    /// Returns the sound of `guard` when it fires in `before`, if any.
     fn sounding(&self, guard: GuardId, before: &Self::State) -> Option<Sounding>;
 
     fn draw(&self, _sketch: &mut dyn Sketch) {}

@@ -45,7 +45,6 @@ pub struct Coil<'a> {
     pub name: &'static str,
     /// Number of a body, in the order of [`Sketch::body`], and a point of it (m).
     pub from: (u32, [f64; 2]),
-    /// Number of the other body, and a point of it (m).
     pub to: (u32, [f64; 2]),
     /// Modes that show the spring; empty for all.
     pub modes: &'a [u8],

@@ -28,7 +28,6 @@ pub struct Parameter {
     pub unit: &'static str,
     /// Smallest and largest allowed value.
     pub range: (f64, f64),
-    /// One-line description.
     pub doc: Box<str>,
 }
 
@@ -36,7 +35,6 @@ pub struct Parameter {
 #[derive(Clone)]
 pub struct Preset {
     pub name: &'static str,
-    /// One-line description.
     pub doc: Box<str>,
     functions: SharedFunctions,
     values: FunctionId,
@@ -69,7 +67,6 @@ pub struct ModelEntry {
     /// Number of this version of the model in this process.
     id: u64,
     pub name: &'static str,
-    /// One-line description.
     pub summary: Box<str>,
     /// Files of the model; `None` for one that is part of the program.
     pub source: Option<ModelSource>,

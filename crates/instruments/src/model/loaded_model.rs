@@ -24,11 +24,8 @@ type Loaded<const N: usize, const C: usize> = EquationModel<Arc<ModelParts>, N, 
 /// Reason why a model cannot be loaded, with the number found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DoesNotLoad {
-    /// More states than in [`LARGEST`].
     States(usize),
-    /// More constants than in [`LARGEST`].
     Constants(usize),
-    /// More modes than a model can have.
     Modes(usize),
     /// More contacts than [`MAX_CODED_CONTACTS`].
     Contacts(usize),
@@ -69,11 +66,8 @@ type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
 enum Prototype {
-    /// Up to 4 states and 192 constants, without contacts.
     Small(SmallModel),
-    /// Up to 16 states and 384 constants, without contacts.
     Medium(Loaded<16, 384>),
-    /// Up to 16 states and 384 constants, with contacts.
     MediumWithContacts(Contacting<16, 384>),
     /// Up to 32 states and 512 constants, with contacts or without.
     Large(Contacting<32, 512>),

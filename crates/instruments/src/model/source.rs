@@ -18,7 +18,6 @@ pub struct ModelSource {
 pub struct FileContents(pub Vec<(PathBuf, Option<Vec<u8>>)>);
 
 impl FileContents {
-    /// Reads the same files again with `read`.
     #[must_use]
     pub fn read_again(&self, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         Self(self.0.iter().map(|(path, _before)| (path.clone(), read(path))).collect())
