@@ -226,7 +226,6 @@ fn key_health(text: &mut String) {
     signed(text, "NOT_MEASURED", NOT_MEASURED.into());
 }
 
-/// Returns the entries of the list of operations, for macros.
 fn operations() -> Vec<String> {
     let entry = |operation: Operation| {
         let (name, entry) = (screaming(&format!("{operation:?}")), operation.entry());

@@ -12,7 +12,6 @@ fn main() {
     std::fs::write(out.join("vectors.rs"), list(&folder)).expect("OUT_DIR can be written");
 }
 
-/// Returns all vectors as a Rust array of names and texts.
 fn list(folder: &Path) -> String {
     let files = std::fs::read_dir(folder).expect("the folder of vectors");
     let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();

@@ -9,7 +9,6 @@ pub use keyboard::{KEYS, KeyIndex};
 pub const MOST_KEYS: usize = 12;
 /// Number of boards of the standard compass.
 pub const BOARDS: usize = 8;
-/// Number of keys of each board of the standard compass.
 pub const KEYS_PER_BOARD: usize = 11;
 
 const STANDARD_SLOTS: u8 = 11;

@@ -27,7 +27,6 @@ pub(crate) struct Reference {
     pub(crate) events: Vec<Expected>,
     /// Times at which states are compared (s).
     pub(crate) times: Vec<f64>,
-    /// The state at each of these times.
     pub(crate) states: Vec<Vec<f64>>,
     /// Largest magnitude of each component of the state.
     pub(crate) scales: Vec<f64>,

@@ -21,9 +21,7 @@ pub(crate) struct Row {
     /// `true` if all events happened in their order, and no others; `false` for a code without
     /// events, which is judged by its states.
     pub(crate) sequence_ok: bool,
-    /// Largest error of an event's time (s).
     pub(crate) event_error_s: Option<f64>,
-    /// Largest error of the state away from events, each component over its own magnitude.
     pub(crate) state_error: Option<f64>,
     pub(crate) rhs: Option<u64>,
     /// Minimum time of all repeats (ns per simulated ms).

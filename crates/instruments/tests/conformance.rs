@@ -147,7 +147,6 @@ fn presets<M: Described>(model: &M) -> impl Iterator<Item = (String, M)> + use<'
     })
 }
 
-/// A model with a state in one of its modes.
 struct Place<M: Described> {
     label: String,
     model: M,

@@ -42,7 +42,6 @@ fn the_stroke_visits_the_modes_of_the_actions() {
     assert!(grand.contains(&grand_mode("CHK")) && grand.len() > 7, "{grand:?}");
 }
 
-/// Returns the lowest or highest of heights.
 fn extreme(points: &[Point], sign: f64) -> f64 {
     sign * points.iter().map(|it| sign * it[1]).fold(f64::NEG_INFINITY, f64::max)
 }

@@ -22,7 +22,6 @@ use firmware_protocol::frame::multicast_forces::MulticastForces;
 use firmware_protocol::serial::{self, Deframer};
 use vector::Vector;
 
-/// Name and text of each vector.
 static VECTORS: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/vectors.rs"));
 
 /// The vector table after the initial stack pointer: the start, and 14 faults.

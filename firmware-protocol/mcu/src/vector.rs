@@ -25,7 +25,6 @@ impl<'a> Vector<'a> {
         &self.frame[..self.len]
     }
 
-    /// Returns the text after `name =`.
     pub fn line(&self, name: &str) -> Option<&'a str> {
         let value = |line: &'a str| line.strip_prefix(name)?.strip_prefix(" =");
         Some(self.text.lines().find_map(value)?.trim())
@@ -35,7 +34,6 @@ impl<'a> Vector<'a> {
         self.line(name)?.parse().ok()
     }
 
-    /// Counts the values after `name =`.
     pub fn count(&self, name: &str) -> Option<usize> {
         Some(self.line(name)?.split_whitespace().count())
     }

@@ -36,9 +36,7 @@ record! {
     }
 }
 
-/// Minimum time for which forces are valid (ms).
 pub const SHORTEST_VALID_MS: u8 = 5;
-/// Maximum time for which forces are valid (ms).
 pub const LONGEST_VALID_MS: u8 = 100;
 /// Usual time for which forces are valid (ms).
 pub const VALID_MS: u8 = 20;

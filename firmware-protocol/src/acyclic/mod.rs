@@ -10,7 +10,8 @@
 //! that receives the id of its last answered request again repeats the answer and does nothing
 //! else, so a repeated request acts once.
 //!
-//! Requests are never on the tick's path, and use less than a hundredth of the bus.
+//! Requests are never on the tick's path, and use less than a hundredth of the bus. No decoder
+//! panics.
 
 #[macro_use]
 mod operation;
@@ -141,7 +142,6 @@ pub struct AcyclicRequest<'a> {
 }
 
 impl<'a> AcyclicRequest<'a> {
-    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let [first, id, operation, record @ ..] = bytes else { return Err(length) };
@@ -180,7 +180,6 @@ pub struct AcyclicReply<'a> {
 }
 
 impl<'a> AcyclicReply<'a> {
-    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let [first, id, operation, status, record @ ..] = bytes else { return Err(length) };

@@ -11,14 +11,10 @@ use crate::MAX_FRAME;
 
 /// Payload of a piece (bytes).
 pub const PIECE: usize = 7;
-/// Number of pieces of the longest frame.
 pub const MOST_PIECES: usize = MAX_FRAME.div_ceil(PIECE);
 
-/// Bit of the head that marks the last piece.
 pub const LAST: u8 = 0b0001_0000;
-/// Bits of the head with the number of the piece.
 pub const INDEX: u8 = 0b0000_1111;
-/// Position of the frame's number in the head.
 pub const ROLL_SHIFT: u8 = 5;
 
 /// Returns the number of pieces of a frame of `len` bytes; an empty one takes one piece.

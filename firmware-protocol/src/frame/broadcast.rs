@@ -45,7 +45,6 @@ pub enum Broadcast {
 }
 
 impl Broadcast {
-    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         if MAX_LEN < bytes.len() {

@@ -101,7 +101,7 @@ pub struct Introduction {
 }
 
 impl Introduction {
-    /// Decodes a frame, padded or not, of this or a newer minor version; never panics.
+    /// Decodes a frame of this or a newer minor version.
     pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let [first, record @ ..] = bytes else { return Err(length) };

@@ -9,7 +9,7 @@
 //!                                     0.001 N s/m)
 //! ```
 //!
-//! With eleven keys these are 26 and 48 bytes; on CAN FD 32 and 48 (filled exactly).
+//! With eleven keys these are 26 and 48 bytes; on CAN FD 32 and 48.
 //!
 //! Between two frames the board renders F0 + K (s0 − s) + B (s0' − s'). The point s0, s0' moves as
 //! the key was expected to. It starts at the position and velocity of the answered samples, which
@@ -23,7 +23,6 @@
 //! at arming. A board accepts a frame only if both sequence and time are those of one of its last
 //! 64 sample frames, which is neither older than that nor older than the last answered one: so no
 //! stale force is rendered, whatever a link does.
-//! than the one answered before: so nothing stale is ever rendered, whatever a link does.
 
 use super::{DecodeError, FrameKind, HEADER_LEN, Header};
 use crate::MAX_FRAME;
@@ -93,7 +92,6 @@ pub struct KeyForces {
 }
 
 impl KeyForces {
-    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &[u8], layout: ForceLayout) -> Result<Self, DecodeError> {
         let ForceLayout { packing, n_keys } = layout;
         let len = n_keys * packing.key_len();

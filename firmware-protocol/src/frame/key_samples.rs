@@ -10,8 +10,7 @@
 //!             position24-velocity  5 bytes  position, velocity
 //! ```
 //!
-//! With eleven keys these are 26, 37, 48 and 59 bytes; on CAN FD 32, 48, 48 (filled exactly)
-//! and 64. Down is positive.
+//! With eleven keys these are 26, 37, 48 and 59 bytes; on CAN FD 32, 48, 48, 64. Down is positive.
 
 use super::{DecodeError, FrameKind, HEADER_LEN, Header};
 use crate::MAX_FRAME;
@@ -84,7 +83,6 @@ pub struct KeySamples {
 }
 
 impl KeySamples {
-    /// Decodes a frame, padded or not; never panics.
     pub fn decode(bytes: &[u8], layout: SampleLayout) -> Result<Self, DecodeError> {
         let SampleLayout { packing, n_keys } = layout;
         let len = n_keys * packing.key_len();

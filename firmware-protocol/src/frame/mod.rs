@@ -1,4 +1,4 @@
-//! The frames, one per module: field map, meaning, decode, encode.
+//! The frames, one per module: field map, meaning, decode, encode. No decoder panics.
 //!
 //! ```text
 //! byte 0      bits 7..5 kind, bit 4 flag, bits 3..0 board; 15 is all boards
@@ -32,10 +32,8 @@ mod field {
     pub(super) const HEADER_LEN: usize = 4;
 }
 
-/// Length of the header of cyclic frames (bytes).
 pub const HEADER_LEN: usize = field::HEADER_LEN;
 
-/// Value of a board field that means all boards.
 pub const ALL_BOARDS: u8 = field::BOARD;
 
 /// Kind of a frame.

@@ -17,10 +17,8 @@ use crate::quantity::Millinewtons;
 use crate::sequence::SequenceNumber;
 
 pub const GROUP: usize = 30;
-/// Number of frames for a full compass.
 pub const GROUPS: usize = 3;
 
-/// Length of the frame: CAN FD's longest (bytes).
 pub const LEN: usize = MAX_FRAME;
 
 /// The forces of thirty keys.
@@ -37,7 +35,6 @@ pub struct MulticastForces {
 }
 
 impl MulticastForces {
-    /// Decodes a frame; never panics.
     pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
         let bytes: &[u8; LEN] =
             bytes.try_into().map_err(|_other_length| DecodeError::Length { got: bytes.len() })?;

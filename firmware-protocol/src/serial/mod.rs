@@ -15,7 +15,7 @@ pub const MAX_WIRE: usize = MAX_FRAME + crc::LEN + cobs::OVERHEAD + 1;
 
 const END: u8 = 0;
 
-/// The frame is longer than [`MAX_FRAME`].
+/// A frame that is longer than [`MAX_FRAME`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TooLong {
     pub len: usize,
@@ -24,7 +24,6 @@ pub struct TooLong {
 /// Reason why the bytes between two zeros are not a frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FramingError {
-    /// More bytes than any frame has.
     TooLong,
     /// The stuffing points outside the frame.
     Stuffing,
@@ -32,8 +31,7 @@ pub enum FramingError {
     Checksum,
 }
 
-/// Encodes `frame` for the stream; returns the length in `wire`. Rejects a frame that is longer
-/// than [`MAX_FRAME`].
+/// Encodes `frame` for the stream; returns the length in `wire`.
 pub fn encode(frame: &[u8], wire: &mut [u8; MAX_WIRE]) -> Result<usize, TooLong> {
     let too_long = TooLong { len: frame.len() };
     if MAX_FRAME < frame.len() {
@@ -90,7 +88,6 @@ impl Deframer {
     }
 }
 
-/// Unstuffs `bytes` in place and returns the frame if its checksum is correct.
 fn open(bytes: &mut [u8]) -> Result<&[u8], FramingError> {
     let body = cobs::unstuff(bytes).ok_or(FramingError::Stuffing)?;
     let (frame, checksum) = body.split_last_chunk().ok_or(FramingError::Checksum)?;

@@ -241,7 +241,6 @@ impl Rig {
         Report::read(&self.report)
     }
 
-    /// Ends the rig by closing its input; returns its report.
     pub(crate) fn end(mut self) -> Report {
         drop(self.child.stdin.take());
         let status = self.child.wait().expect("it ends");

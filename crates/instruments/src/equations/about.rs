@@ -7,8 +7,7 @@ use crate::equations::model::EquationModel;
 use crate::equations::table::{Equations, FunctionId, RequirementTable};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Writes the outputs in the order of [`ModelTable::outputs`](crate::equations::table::ModelTable::outputs).
-    /// A shorter `out` receives the first outputs.
+    /// Writes the outputs in the table's order; a shorter `out` receives the first ones.
     pub fn outputs(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, out: &mut [f64]) {
         /// Maximum number of outputs computed for a shorter `out`.
         const MOST: usize = 64;

@@ -130,7 +130,6 @@ impl SeriesWriter<'_> {
         }
     }
 
-    /// Returns the number of entries that move by equations.
     const fn entries(&self) -> usize {
         self.table.entries.count_ones() as usize
     }

@@ -54,7 +54,6 @@ impl Softplus {
 /// Limit between Bernoulli's series for the integrals, below, and exponentials, above.
 const NEAR: f64 = 2.0;
 
-/// ζ(2) = π²/6.
 const ZETA_2: f64 = core::f64::consts::PI * core::f64::consts::PI / 6.0;
 /// ζ(3), Apéry's constant.
 const ZETA_3: f64 = 1.202_056_903_159_594_3;

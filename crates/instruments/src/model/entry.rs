@@ -26,7 +26,6 @@ pub struct Parameter {
     pub title: Box<str>,
     /// SI unit; `"1"` for a ratio.
     pub unit: &'static str,
-    /// Smallest and largest allowed value.
     pub range: (f64, f64),
     pub doc: Box<str>,
 }
@@ -214,6 +213,5 @@ pub struct GuardEntry {
     pub name: &'static str,
     /// SI unit; empty if unknown.
     pub unit: &'static str,
-    /// Possible next modes.
     pub to: Vec<&'static str>,
 }

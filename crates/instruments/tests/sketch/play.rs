@@ -73,7 +73,6 @@ pub fn stroke<M: Playable>(model: &M, t: f64) -> Motion {
     }
 }
 
-/// Recorder of the moments at ends of ticks and right before events.
 struct Film<M: Described> {
     model: M,
     moments: Vec<(String, Moment)>,

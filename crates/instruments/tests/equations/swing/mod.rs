@@ -11,7 +11,6 @@ use instruments::equations::table::{
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
-/// The functions, each a line of arithmetic.
 #[derive(Clone, Copy, Debug)]
 pub struct Swing;
 
@@ -124,7 +123,6 @@ const fn quantity(name: &'static str) -> NamedQuantity {
     NamedQuantity { name, unit: "1" }
 }
 
-/// All of it but the arithmetic.
 pub static TABLE: LazyLock<ModelTable> = LazyLock::new(|| ModelTable {
     name: "swing",
     summary: "a pendulum on a spring".into(),
