@@ -175,7 +175,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// Returns the coordinates of `places` with the speeds of `x`.
     fn with_places_of(&self, places: &[f64; N], x: &[f64; N]) -> [f64; N] {
         let count = self.table().coordinates;
         core::array::from_fn(|i| if i < count { places[i] } else { x[i] })

@@ -83,7 +83,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// Data for writing a series, without the model's type.
 struct SeriesWriter<'a> {
     functions: &'a dyn Equations,
     constants: &'a [f64],

@@ -277,14 +277,11 @@ pub struct SeriesTable {
     pub carried: usize,
 }
 
-/// Degrees of freedom of a mode. `[GC93]` table 1.
+/// Coordinates n, constraints m and independent speeds p = n − m of a mode. `[GC93]` table 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Freedom {
-    /// Generalised coordinates of its mechanics.
     pub n: u8,
-    /// Constraints among these coordinates.
     pub m: u8,
-    /// Independent speeds, n − m.
     pub p: u8,
 }
 

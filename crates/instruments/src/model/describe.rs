@@ -104,9 +104,8 @@ pub trait Playable: Described {
 /// `lift` is above `fall` by many encoder counts, so that a key held at a height does not chatter.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Damper {
-    /// Key-front travel at which the damper leaves the string (m).
+    /// Key-front travel at which the damper leaves the string, and at which it is back (m).
     pub lift: f64,
-    /// Key-front travel at which the damper is back on the string (m).
     pub fall: f64,
 }
 

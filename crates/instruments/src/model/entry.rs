@@ -164,15 +164,12 @@ impl ModelEntry {
     }
 }
 
-/// A structural mode with its mechanics and guards.
+/// A structural mode: n coordinates, m constraints, p = n − m degrees of freedom (`[GC93]` table 1).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ModeEntry {
     pub name: &'static str,
-    /// Generalised coordinates of its mechanics. `[GC93]` table 1.
     pub n: u8,
-    /// Constraints among these coordinates.
     pub m: u8,
-    /// Degrees of freedom, n − m.
     pub p: u8,
     /// Guards, in the order of the model's list.
     pub guards: Vec<GuardEntry>,

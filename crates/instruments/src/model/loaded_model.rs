@@ -18,7 +18,6 @@ pub use crate::model::entry::SharedFunctions;
 /// Maximum number of states, and of constants (parameters and derived numbers), of a model.
 pub const LARGEST: (usize, usize) = (32, 512);
 
-/// A model without contacts, with N states and C constants.
 type Loaded<const N: usize, const C: usize> = EquationModel<Arc<ModelParts>, N, C>;
 
 /// Reason why a model cannot be loaded, with the number found.
@@ -55,7 +54,6 @@ impl From<TooManyGuards> for DoesNotLoad {
 /// A model of up to 4 states without contacts, for callers that need its type.
 pub type SmallModel = Loaded<4, 192>;
 
-/// A model with contacts, or a large one.
 type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 
 /// A model with the values of its default preset, as one of a few types.
@@ -116,7 +114,6 @@ impl LoadedModel {
         Ok(Self { prototype: Prototype::new(Arc::clone(&parts))?, parts })
     }
 
-    /// Returns the model with its type if it is small.
     pub fn small(&self) -> Option<SmallModel> {
         if let Prototype::Small(model) = &self.prototype { Some(model.clone()) } else { None }
     }
