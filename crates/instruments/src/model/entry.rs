@@ -164,7 +164,7 @@ impl ModelEntry {
     }
 }
 
-/// A structural mode: n coordinates, m constraints, p = n − m degrees of freedom (`[GC93]` table 1).
+/// A structural mode: coordinates n, constraints m, freedoms p = n − m. `[GC93]` table 1.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ModeEntry {
     pub name: &'static str,
