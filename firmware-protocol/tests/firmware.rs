@@ -322,6 +322,7 @@ fn a_finger_presses_its_key_and_lets_it_go() {
     assert_eq!(board.ask(Operation::Finger, &Finger { slot: 11, ..struck }).0, Status::BadValue);
     board.skip();
     board.arm(ForcePacking::Force16);
+    // 0.5 N up bring the key back.
     let (mut deepest, mut other, mut fastest) = (0, 0, 0);
     let mut last = board.samples();
     let end = Instant::now() + Duration::from_mins(1);

@@ -108,6 +108,7 @@ impl External {
 fn parameters(case: &Case, budget: Duration, last: i32) -> String {
     let mut text = case.parameters.clone();
     let mut line = |name: &str, value: f64| {
+        // Writing to a string cannot fail.
         let _ = writeln!(text, "{name} {value:?}");
     };
     line("budget_ms", budget.as_secs_f64() * 1e3);

@@ -182,5 +182,6 @@ fn scientific(value: Option<f64>) -> String {
 }
 
 fn line(text: &mut String, arguments: std::fmt::Arguments<'_>) {
+    // Writing to a string cannot fail.
     let _ = writeln!(text, "{arguments}");
 }

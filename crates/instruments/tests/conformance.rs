@@ -48,6 +48,7 @@ fn names_are_valid<M: Playable>(model: M) {
     check_names(name, &['-'], &presets.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &[], &model.entry().modes.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &['_'], states);
+    // A pose is called after its frame: `key.x`.
     check_names(name, &['_', '.'], outputs);
     assert!(states.len() <= M::State::ZERO.entries().len(), "{name}: states");
     assert_eq!(model.entry().coordinates, model.coordinates(), "{name}: coordinates");

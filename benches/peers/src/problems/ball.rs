@@ -47,6 +47,7 @@ impl Problem<2, 1> for Ball {
         ((), [0.0, -self.e * x[1]])
     }
 
+    /// As in diffsol's book.
     fn nudged(&self, x: [f64; 2]) -> [f64; 2] {
         [x[0].max(f64::EPSILON), x[1]]
     }

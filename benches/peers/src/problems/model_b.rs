@@ -45,6 +45,7 @@ impl ModelB {
         let bells = bells.iter().enumerate().map(|(i, value)| (format!("bell{i}"), *value));
         let rest = self.rest.iter().enumerate().map(|(i, value)| (format!("rest{i}"), *value));
         for (name, value) in names.zip(values).chain(bells).chain(rest) {
+            // Writing to a string cannot fail.
             let _ = writeln!(lines, "{name} {value:?}");
         }
         lines
