@@ -493,6 +493,7 @@ fn shift_slips_once_when_it_begins() {
 
 #[test]
 fn frozen_and_jumpy_stay_where_the_fault_began() {
+    // The finger moves the key 2.2 s after the start.
     let Some(frozen) = readings(&["--fault", "frozen", "--from", "2.2"]) else { return };
     let last = frozen[frozen.len() - 1];
     let begins = frozen.iter().position(|it| it.0 == last.0).expect("a place");
