@@ -11,7 +11,7 @@ pub type BoxedLink = Box<dyn Link + Send>;
 
 /// A kind of link. Addresses, scenes, plans and help texts read the list of them, [`LINKS`].
 #[derive(Clone, Copy, Debug)]
-pub struct LinkKind {
+pub struct BoardLinkKind {
     /// Scheme of its addresses: `serial` in `serial:/dev/ttyACM0`.
     pub scheme: &'static str,
     /// Forms of its addresses, for messages: `can:INTERFACE`.
@@ -38,15 +38,15 @@ pub struct LinkKind {
     pub medium: fn(&Address, (u32, u32)) -> Result<Medium, NoPlan>,
 }
 
-impl PartialEq for LinkKind {
+impl PartialEq for BoardLinkKind {
     fn eq(&self, other: &Self) -> bool {
         self.scheme == other.scheme
     }
 }
 
-impl Eq for LinkKind {}
+impl Eq for BoardLinkKind {}
 
-impl LinkKind {
+impl BoardLinkKind {
     /// Returns the kind of a scene's `key` and `mode`; without a mode the key's first kind.
     pub fn find(key: &str, mode: Option<&str>) -> Option<&'static Self> {
         let mut kinds = LINKS.iter().filter(|it| it.key == key);
@@ -58,7 +58,7 @@ impl LinkKind {
 /// Place to which a link leads.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Address {
-    pub kind: &'static LinkKind,
+    pub kind: &'static BoardLinkKind,
     /// Port, interface or program with its arguments, as messages name the link.
     pub place: String,
     /// Bits per second, if addresses of this kind have them.
@@ -91,7 +91,7 @@ impl Address {
 
     /// Returns the address of `place`, without white space around it. `baud` counts only if
     /// addresses of this kind have one.
-    pub fn new(kind: &'static LinkKind, place: &str, baud: Option<u32>) -> Self {
+    pub fn new(kind: &'static BoardLinkKind, place: &str, baud: Option<u32>) -> Self {
         let baud = kind.baud.map(|usual| baud.unwrap_or(usual));
         Self { kind, place: place.trim().to_owned(), baud }
     }

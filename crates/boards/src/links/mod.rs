@@ -38,12 +38,12 @@ pub use error::Error;
 pub use pause::pause;
 pub use queued_frame::MAX_LEN;
 
-use address::LinkKind;
+use address::BoardLinkKind;
 use firmware_protocol::key::BoardId;
 use queued_frame::QueuedFrame;
 
 /// All kinds of links that an address can name.
-pub static LINKS: &[LinkKind] = &[serial::KIND, can::FD, can::CLASSIC, lockstep::KIND];
+pub static LINKS: &[BoardLinkKind] = &[serial::KIND, can::FD, can::CLASSIC, lockstep::KIND];
 
 /// Which end of a link this is; a bus passes on only what is for it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,7 +1,7 @@
 //! `[[links.bus]]`: a link, and what it is like.
 
 use boards::links::LINKS;
-use boards::links::address::{Address, LinkKind, listed};
+use boards::links::address::{Address, BoardLinkKind, listed};
 
 use super::board::{self, Listed};
 use super::{BIT_RATES, BoardBus};
@@ -41,7 +41,7 @@ pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<BoardBu
 
 /// Reads a bus without its boards.
 fn read(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<BoardBus> {
-    let keys = || LINKS.iter().filter(|it| LinkKind::find(it.key, None) == Some(it));
+    let keys = || LINKS.iter().filter(|it| BoardLinkKind::find(it.key, None) == Some(it));
     let places: Vec<_> = keys().map(|it| reader.text(report, it.key)).collect();
     let baud = reader.whole(report, "baud", BAUD_RATE);
     let modes: Vec<_> = LINKS.iter().filter_map(|it| Some((it.mode?, it.mode?))).collect();
@@ -63,7 +63,7 @@ fn read(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<BoardB
         report.say(other.node.place, message, "give each its own [[links.bus]]");
         return None;
     }
-    let kind = LinkKind::find(usual.key, mode)?;
+    let kind = BoardLinkKind::find(usual.key, mode)?;
     for name in OPTIONS {
         let lacking = [usual, kind].into_iter().find(|it| !it.options.contains(&name));
         if let (Some(it), Some(entry)) = (lacking, reader.take(name)) {

@@ -6,7 +6,7 @@ mod table;
 
 use std::path::PathBuf;
 
-use boards::links::address::{Address, LinkKind};
+use boards::links::address::{Address, BoardLinkKind};
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
@@ -94,7 +94,7 @@ pub fn overrides(addresses: &[Address]) -> Vec<Override> {
 pub(super) fn bus_at(address: &Address) -> String {
     let Address { kind, place, baud } = address;
     let baud = baud.map(|baud| format!(", baud = {baud}"));
-    let is_usual = LinkKind::find(kind.key, None) == Some(*kind);
+    let is_usual = BoardLinkKind::find(kind.key, None) == Some(*kind);
     let mode = kind.mode.filter(|_| !is_usual).map(|mode| format!(", mode = {mode:?}"));
     let (baud, mode) = (baud.unwrap_or_default(), mode.unwrap_or_default());
     format!("{{ {} = {place:?}{baud}{mode} }}", kind.key)

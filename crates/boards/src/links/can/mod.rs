@@ -15,13 +15,13 @@ mod socket;
 
 #[cfg(target_os = "linux")]
 use self::{port::CanPort, socket::Socket};
-use super::address::LinkKind;
+use super::address::BoardLinkKind;
 use super::{BusSide, Health, Link, RecvError, SendError};
 use crate::links::Error;
 use crate::plan::{Medium, NoPlan};
 
 /// CAN FD, as addresses and scenes name it.
-pub const FD: LinkKind = LinkKind {
+pub const FD: BoardLinkKind = BoardLinkKind {
     scheme: "can",
     forms: "can:INTERFACE",
     help: "can:INTERFACE",
@@ -37,7 +37,7 @@ pub const FD: LinkKind = LinkKind {
 };
 
 /// Classic CAN, as addresses and scenes name it.
-pub const CLASSIC: LinkKind = LinkKind {
+pub const CLASSIC: BoardLinkKind = BoardLinkKind {
     scheme: "classic-can",
     forms: "classic-can:INTERFACE",
     help: "classic-can:INTERFACE",

@@ -24,7 +24,7 @@ use rustix::fd::AsFd;
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 use rustix::io::Errno;
 
-use super::address::LinkKind;
+use super::address::BoardLinkKind;
 use super::framed::Framing;
 use super::trouble::ProgramTrouble;
 use super::{Link, RecvError, SendError};
@@ -32,7 +32,7 @@ use crate::links::{Error, HostClock, pause};
 use crate::plan::NoPlan;
 
 /// Programs in lockstep, as addresses and scenes name them.
-pub const KIND: LinkKind = LinkKind {
+pub const KIND: BoardLinkKind = BoardLinkKind {
     scheme: "rig",
     forms: "rig:PROGRAM",
     help: "'rig:PROGRAM ARGUMENTS' for a program that lives boards in virtual time",

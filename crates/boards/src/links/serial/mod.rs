@@ -15,7 +15,7 @@ use rustix::fs::{Mode, OFlags};
 use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
 
 use self::carrier::SerialCarrier;
-use super::address::LinkKind;
+use super::address::BoardLinkKind;
 use super::framed::Framing;
 use super::trouble::PortTrouble;
 use super::{Health, Link, RecvError, SendError};
@@ -28,7 +28,7 @@ pub(super) use pty::PtyPair;
 pub(super) use stream::{Disconnected, NonBlockingFd};
 
 /// Serial ports, as addresses and scenes name them. USB devices ignore the baud rate.
-pub const KIND: LinkKind = LinkKind {
+pub const KIND: BoardLinkKind = BoardLinkKind {
     scheme: "serial",
     forms: "serial:PORT, serial:PORT@BAUD",
     help: "serial:PORT[@BAUD]",
