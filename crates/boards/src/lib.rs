@@ -6,7 +6,7 @@
 //! would. [`plan`] says what a bus can carry before a board is armed, and measures what it
 //! carries after.
 //!
-//! Not here: what carries frames (crate `links`), threads, clocks, and what a force should be.
+//! Not here: what carries frames ([`links`]), threads, clocks, and what a force should be.
 #![forbid(unsafe_code)]
 
 pub mod calibrate;
