@@ -29,7 +29,7 @@ const ALLOWANCE: &str = "tests/size.toml";
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 struct RustLines {
     product: usize,
-    all: usize,
+    tests: usize,
 }
 
 /// A struct or trait, with its number of fields or methods.
@@ -64,7 +64,7 @@ fn allowance() -> Result<RustLines, Error> {
             Error::unobtainable(format!("`{name}` of {ALLOWANCE}"), "it is no number")
         })
     };
-    Ok(RustLines { product: value("product")?, all: value("all")? })
+    Ok(RustLines { product: value("product")?, tests: value("tests")? })
 }
 
 fn count() -> Result<ProjectSize, Error> {
@@ -87,11 +87,14 @@ fn count() -> Result<ProjectSize, Error> {
 
 impl ProjectSize {
     fn report(&self, allowed: RustLines) -> String {
-        let RustLines { product, all } = self.lines;
+        let RustLines { product, tests } = self.lines;
         let mut lines = vec![
             format!("product  {product:7} lines of {} allowed", allowed.product),
-            format!("tests    {:7} lines, with benches, examples and fuzzing", all - product),
-            format!("all Rust {all:7} lines of {} allowed", allowed.all),
+            format!(
+                "tests    {tests:7} lines of {} allowed, with benches and examples",
+                allowed.tests
+            ),
+            format!("all Rust {:7} lines", product + tests),
             format!("\n{} crates and programs, by lines of product:", self.crates.len()),
         ];
         let mut crates: Vec<_> = self.crates.iter().collect();
@@ -110,13 +113,14 @@ impl ProjectSize {
     }
 
     fn add(&mut self, path: &str, text: &str) {
-        self.lines.all += text.lines().count();
+        self.lines.tests += text.lines().count();
         let folders = Path::new(path).parent().unwrap_or(Path::new(""));
         if folders.iter().any(|folder| OTHER.iter().any(|other| folder == *other)) {
             return;
         }
         let lines = product_lines(text);
         self.lines.product += lines.len();
+        self.lines.tests -= lines.len();
         let mut parts = path.split('/');
         let first = parts.next().unwrap_or_default();
         let name = if first == "crates" { parts.next().unwrap_or_default() } else { first };
@@ -219,9 +223,9 @@ mod tests {
             Ok(size) => size,
             Err(why) => return eprintln!("SKIPPED: {why}"),
         };
-        let (RustLines { product, all }, allowed) = (size.lines, allowance().unwrap());
+        let (RustLines { product, tests }, allowed) = (size.lines, allowance().unwrap());
         assert!(product <= allowed.product, "{product} lines of product: delete as many");
-        assert!(all <= allowed.all, "{all} lines of Rust: delete as many");
+        assert!(tests <= allowed.tests, "{tests} lines of tests: delete as many");
         assert!(product > allowed.product / 2, "{product} lines of product were found");
     }
 
@@ -272,7 +276,7 @@ mod kept {
         let mut size = ProjectSize::default();
         size.add("crates/x/src/lib.rs", FILE);
         size.add("crates/x/tests/main.rs", FILE);
-        assert_eq!(size.lines, RustLines { product: 19, all: 52 });
+        assert_eq!(size.lines, RustLines { product: 19, tests: 33 });
         assert_eq!(size.crates, BTreeMap::from([("x".to_owned(), 19)]));
         let named = |items: &[CountedItem]| -> Vec<(String, usize)> {
             items.iter().map(|it| (it.name.clone(), it.members)).collect()
