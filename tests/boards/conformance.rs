@@ -1,5 +1,4 @@
-//! `letoff devices --boards --test`: what keeps the protocol passes, and what breaks it is named,
-//! on three boards that share no code.
+//! `letoff devices --boards --test` on three boards that share no code: each fault is named.
 
 use std::path::Path;
 
@@ -11,7 +10,7 @@ use crate::machine_time::{Task, WaitWatch, judged_with_time, with_time};
 use crate::python::PythonBoard;
 use crate::rig::{Boards, count, machine, number, part_of_machine, run_watched, side_by_side};
 
-/// Tests the board behind `link`; returns the items that it breaks, and that it keeps.
+/// Tests the board behind `link`; returns the items that it breaks and those that it keeps.
 fn tested(watch: &WaitWatch, folder: &Path, link: &str, depth: &str) -> [Vec<String>; 2] {
     let test = format!("--test={depth}");
     let devices = ["devices", "--boards", "--json", &test, "--link", link];
@@ -33,15 +32,13 @@ fn tested(watch: &WaitWatch, folder: &Path, link: &str, depth: &str) -> [Vec<Str
 const TIMED: [&str; 5] =
     ["at the rate", "times of samples", "fresh", "within 20 ms", "silence takes the forces"];
 
-/// A board that runs.
 struct Started<B> {
     board: B,
     task: Task,
     link: String,
 }
 
-/// Asserts that the board that `start` starts breaks nothing of at least `n` items, in one of
-/// three trials on a machine that may be busy.
+/// Asserts that a board breaks none of at least `n` items, in one of three trials.
 fn check_kept<B>(folder: &Path, n: usize, start: impl Fn() -> Started<B>, end: impl Fn(B)) {
     judged_with_time("a conforming board", |watch| {
         let Started { board, task, link } = start();
@@ -98,8 +95,7 @@ fn the_reference_firmware_keeps_every_item() {
     check_kept(&folder, 20, start, drop);
 }
 
-/// What is wrong with a board in Python, how far it is tested, and the items by which that is
-/// found.
+/// Arguments of a faulty Python board, depth of the test, items that detect the fault.
 const BROKEN: [(&[&str], &str, &[&str]); 16] = [
     (&["--drift", "50000"], "quiet", &["its clock"]),
     (&["--wrong", "flag"], "arm", &["an armed board says so"]),
@@ -135,7 +131,7 @@ fn a_board_written_from_the_document_keeps_every_item_and_each_fault_is_named() 
         assert_eq!(most, Some(Some(50)), "{told}");
     };
     check_kept(&folder, 22, start, end);
-    // A busy machine breaks more items, and never mends one: several are tested at a time.
+    // A busy machine breaks more items and mends none, so several run at a time.
     side_by_side(&folder, 4, &BROKEN, |folder, (arguments, depth, items)| {
         with_time(&format!("a board that breaks {items:?}"), |watch| {
             let board = PythonBoard::start(folder, arguments).expect("there is Python");
@@ -222,7 +218,7 @@ fn a_setting_is_written_to_one_board_and_holds_from_its_next_start() {
         assert_eq!(said.code, Some(0), "{said:?}");
         assert!(said.out.contains("number = 3 from its next start on"), "{said:?}");
         assert!(said.out.contains("max_force_mn = 9000;"), "{said:?}");
-        // Being armed starts the clock of its fate.
+        // Arming starts the clock of the board's fault.
         let _armed = tested(watch, &folder, &links[3], "arm");
         let said = of(&["--json"], &links[2..]);
         let report = said.report();

@@ -15,7 +15,7 @@ use crate::rig::{
 
 const TOOLS: [&str; 2] = ["arm-none-eabi-gcc", "qemu-system-arm"];
 
-/// Whether the tools are there; if not, says so.
+/// Returns `true` if the tools are installed, else prints what is missing.
 pub(crate) fn has_tools() -> bool {
     if std::env::var_os("LETOFF_MACHINES").is_some_and(|it| it == "none") {
         say("SKIPPED: boards under QEMU are tested by cargo xtask test --machines");
@@ -29,7 +29,6 @@ pub(crate) fn has_tools() -> bool {
     missing.is_empty()
 }
 
-/// Builds the firmware of a board of the standard compass.
 pub(crate) fn build(folder: &Path, board: usize) -> PathBuf {
     let c = Path::new(env!("CARGO_MANIFEST_DIR")).join("firmware-protocol/c");
     let elf = folder.join(format!("board{board}.elf"));
@@ -46,7 +45,7 @@ pub(crate) fn build(folder: &Path, board: usize) -> PathBuf {
     elf
 }
 
-/// A running processor and its port; ended with its owner.
+/// A running processor and its port; dropping it ends the emulator.
 pub(crate) struct Processor {
     qemu: Child,
     pub(crate) port: String,
@@ -71,7 +70,6 @@ impl Processor {
 }
 
 impl Processor {
-    /// The emulator's threads.
     pub(crate) fn task(&self) -> Task {
         Task::process(&self.qemu)
     }
@@ -84,8 +82,7 @@ impl Drop for Processor {
     }
 }
 
-/// Runs the host on these boards; returns the report if `has_time` says that the machine had
-/// time, and no board fell silent meanwhile.
+/// Runs the host; returns the report if `has_time` finds enough time and no board fell silent.
 fn drive(
     watch: &WaitWatch,
     folder: &Path,
@@ -107,7 +104,7 @@ fn drive(
     (has_time(&report) && boards.iter().all(is_alive)).then_some(report)
 }
 
-/// Asserts that nothing stale was rendered, and that nothing was lost.
+/// Asserts that no stale force was rendered and no frame was lost.
 #[track_caller]
 fn check(what: &str, report: &Value, valid_ms: f64) {
     print_figures(what, report);
@@ -139,7 +136,7 @@ fn a_piece_is_played_on_one_cortex_m3() {
     });
 }
 
-/// What comes with the program, at half its rate, is played as written or not at all.
+/// The rate is half the default: the instrument is played as written or refused.
 #[test]
 fn the_default_instrument_at_500_hz_is_played_without_an_extra_strike_or_refused() {
     if !has_tools() {
@@ -171,7 +168,7 @@ fn the_default_instrument_at_500_hz_is_played_without_an_extra_strike_or_refused
     });
 }
 
-/// Eight emulated processors beside a host are all that two cores can do: nobody plays.
+/// Two cores can just run eight emulated processors and a host, so no pianist plays.
 #[test]
 fn eight_cortex_m3_exchange_without_a_gap() {
     if !has_tools() {
@@ -181,9 +178,9 @@ fn eight_cortex_m3_exchange_without_a_gap() {
     let folder = letoff::folder("boards-cortex-8");
     let elfs: Vec<_> = (0..8).map(|board| build(&folder, board)).collect();
     let more = ["--duration", "5", "--set", "tick_hz=250", "--set", "links.valid=0.1"];
-    // Forces below stiction: keys that swing would cost the emulators more than there is.
+    // Forces below stiction: keys that swing would cost the emulators too much.
     let calm = ["--performance", "none", "--set", "render.force_limit=0.1"];
-    // A grand's action is not stable at that rate.
+    // A grand's action is unstable at that rate.
     let more = more.into_iter().chain(["--set", "keys.instrument=spring-wall"]);
     let more: Vec<_> = more.chain(calm).collect();
     judged_with_time("eight Cortex-M3", |watch| {

@@ -1,9 +1,9 @@
-//! The whole host against the fault rig: the reference firmware with motors, encoders and a finger,
-//! which has every fault that boards have had. Both live in virtual time, so each row is exact.
+//! The whole host against the fault rig: the reference firmware with motors, encoders, a finger
+//! and every known fault of boards. Both live in virtual time, so each row is exact.
 //!
-//! A row is judged by what the key felt: the motor's work on it, its largest force and how long a
-//! force lasted, as the rig measured them; then by the log and the exit code. The bounds are those of
-//! the classes of faults in `firmware-protocol/BOARDS.md`.
+//! A row is judged by the motor's work, its largest force and how long the force lasted, then by
+//! the log and the exit code. The bounds are those of the classes in
+//! `firmware-protocol/BOARDS.md`.
 
 use std::path::Path;
 
@@ -12,28 +12,28 @@ use serde_json::Value;
 use crate::letoff::{self, Said};
 use crate::lockstep::build;
 
-/// What a fault may cost.
+/// Bound on the damage of a fault.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Class {
-    /// It is there before a model plays: the key gets no more than the push of its proof.
+    /// Exists before a model plays: the key gets no more than the push of its proof.
     AtArming,
-    /// It damages samples or frames: nearly nothing is handed out.
+    /// Damages samples or frames: almost no energy reaches the key.
     InSamples,
-    /// It appears while a piece is played: the key is silenced 100 ms after it shows.
+    /// Appears during a piece: the key is silenced within 100 ms of its appearance.
     InRun,
-    /// Nothing that the host sends changes it: it is named.
+    /// Not affected by any frame of the host, which only names it.
     BeyondHost,
 }
 
-/// A fault of the rig, and what the host makes of it.
+/// A fault of the rig and the host's response.
 struct Row {
     fault: &'static str,
-    /// When it begins, after the first arming (s).
+    /// Begin, after the first arming (s).
     from: &'static str,
     class: Class,
-    /// When it shows, after its beginning (s).
+    /// Delay from the begin until it shows (s).
     shows: f64,
-    /// What it hands out beyond its bound (mJ), which the host cannot keep yet.
+    /// Work beyond the bound that the host cannot prevent yet (mJ).
     beyond: f64,
     code: i32,
     words: &'static str,
@@ -54,9 +54,8 @@ impl Row {
         Self { shows: seconds, ..self }
     }
 
-    /// A fault that misses its bound: a way whose length changes by two periods from sample to
-    /// sample is not told from ticks and samples that slide past each other, until forces are held
-    /// by a law on the board.
+    /// Marks a fault that misses its bound. A path length that changes by two periods per sample
+    /// looks like samples that slide past the ticks, until a law on the board holds the forces.
     const fn missing_by(self, millijoules: f64) -> Self {
         Self { beyond: millijoules, ..self }
     }
@@ -66,7 +65,6 @@ use Class::{AtArming, BeyondHost, InRun, InSamples};
 
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
-    // Before a model plays.
     row("half", "0", AtArming, 1, "confirmed a sample every 1.00 ms and sends one every 2.00 ms"),
     row("burst", "0", AtArming, 1, "its samples come in bursts every 16 ms"),
     row("burst=4", "0", AtArming, 1, "its samples come in bursts every 4 ms"),
@@ -81,7 +79,6 @@ const ROWS: &[Row] = &[
     row("nothomed", "0", AtArming, 1, "its encoders do not know where C4 is"),
     row("noise=100", "0", AtArming, 1, "C4 is muted: its readings go to and fro faster than a key can"),
     row("brown=0.6", "0", AtArming, 1, "it restarted 5 times of late (its supply gave way, reason 2)"),
-    // In samples and frames.
     row("spike", "0", InSamples, 0, "armed"),
     row("bigspike", "6", InSamples, 1, "C4 is muted: its readings have slipped"),
     row("noise", "0", InSamples, 0, "armed"),
@@ -99,7 +96,6 @@ const ROWS: &[Row] = &[
     row("velsign", "0", InSamples, 0, "armed"),
     row("hang", "0", InSamples, 0, "being brought up"),
     row("cogging", "0", InSamples, 0, "armed"),
-    // While it is played.
     row("half", "6", InRun, 1, "left alone: it confirmed a sample every 1.00 ms, and sends one every 2.00 ms"),
     row("burst=4", "6", InRun, 1, "its samples come in bursts every 4 ms"),
     row("shift", "6", InRun, 1, "C4 is muted: its readings have slipped: counts were lost"),
@@ -115,26 +111,23 @@ const ROWS: &[Row] = &[
     row("weak", "6", InRun, 1, "C4 is muted: it does not follow its motor's force").shows(2.3),
     row("frozen", "8", InRun, 1, "C4 is muted: it does not follow its motor's force").shows(5.1),
     row("restart=2", "0", InRun, 1, "left off: it restarted").shows(6.0),
-    // What no frame changes.
     row("stuck", "0", BeyondHost, 1, "its motor pushes by itself (then cut its supply)"),
     row("stuck", "8", BeyondHost, 1, "if the motor pushes by itself, cut its supply"),
     row("stuck=-8 --finger none", "0", BeyondHost, 1, "C4 is muted: its motor does not move it"),
 ];
 
-/// Most that a proof pushes (N), with what a current loop overshoots.
+/// Largest push of a proof (N), with the overshoot of a current loop.
 const MOST_PUSH: f64 = 1.55;
 
-/// What more than an honest board a damaged one may hand out (mJ), and push along a motion (N).
+/// Work (mJ) and push along a motion (N) that a damaged board may add to an honest one's.
 const MORE_WORK: f64 = 5.0;
 const MORE_PUSH: f64 = 2.0;
 
-/// Time from what shows a fault to the end of all forces (s): 100 ms, and 20 ms in which they fade.
+/// Time from the sign of a fault to the end of all forces (s): 100 ms, then 20 ms of fading.
 const SILENCED: f64 = 0.12;
 
-/// Largest force of the rig's motors (N).
 const MAX_FORCE: f64 = 30.0;
 
-/// What the rig measured on the key that it plays.
 struct Felt {
     key: Value,
 }
@@ -145,7 +138,6 @@ impl Felt {
     }
 }
 
-/// Plays `instrument` on the rig with these arguments for so long (s).
 fn play(rig: &Path, instrument: &str, seconds: &str, arguments: &str) -> (Said, Option<Felt>) {
     let name: String =
         arguments.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
@@ -181,7 +173,7 @@ fn play(rig: &Path, instrument: &str, seconds: &str, arguments: &str) -> (Said, 
     (said, felt)
 }
 
-/// What the honest board does to the same key, whatever its phase against the host is.
+/// Effect of the honest board on the same key, whatever its phase against the host.
 struct Honest {
     handed_out: f64,
     along: f64,
@@ -200,7 +192,7 @@ impl Honest {
     }
 }
 
-/// Judges one fault; returns what is wrong.
+/// Judges one fault; returns the violations.
 fn judge(rig: &Path, honest: &Honest, row: &Row) -> Vec<String> {
     let Row { fault, from, class, shows, beyond, code, words } = row;
     let (said, felt) = play(rig, "grand-springs", "20", &format!("--fault {fault} --from {from}"));
@@ -237,8 +229,8 @@ fn every_fault_of_a_board_stays_within_its_bounds_and_is_named() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Instruments that an honest board of this kind plays without shaking at 1 kHz; the others need
-/// a law on the board, and are softened or refused.
+/// Instruments that an honest board plays without shaking at 1 kHz. The others need a law on the
+/// board and are softened or refused.
 const STABLE: [&str; 18] = [
     "bouncing-ball",
     "cart-pendulum",
@@ -260,7 +252,7 @@ const STABLE: [&str; 18] = [
     "viennese",
 ];
 
-/// `LETOFF_HONEST_SECONDS=600` is the long form, and takes a quarter of an hour.
+/// `LETOFF_HONEST_SECONDS=600` runs the long form, a quarter of an hour.
 #[test]
 fn an_honest_board_plays_every_instrument_that_is_stable_there_without_an_alarm() {
     let Some(rig) = build(&letoff::folder("honest-rig")) else { return };

@@ -1,5 +1,4 @@
-//! The whole host in virtual time: the reference firmware as a program in lockstep, and programs
-//! that are none.
+//! The whole host in virtual time: the reference firmware and other programs in lockstep.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,8 +9,7 @@ use crate::letoff::{self, Said};
 use crate::machine_time::say;
 use crate::rig::count;
 
-/// Builds the fault rig with the command of its README, a board with the four keys C4 to D#4; nothing
-/// without a C compiler, and then says so.
+/// Builds the fault rig, keys C4 to D#4, by its README; skips without a C compiler.
 pub(crate) fn build(folder: &Path) -> Option<PathBuf> {
     if Command::new("cc").arg("--version").output().is_err() {
         say("SKIPPED: the host in lockstep with the fault rig: cc is not installed");
@@ -28,8 +26,7 @@ pub(crate) fn build(folder: &Path) -> Option<PathBuf> {
     Some(program)
 }
 
-/// Runs a scene that is stable on the rig on these links in virtual time, while the pianist plays
-/// `piece`.
+/// Runs a scene that is stable on the rig in virtual time, while the pianist plays `piece`.
 fn run(folder: &Path, piece: &str, links: &[&str]) -> Said {
     let run = ["run", "springs", "--virtual-time", "--duration", "3", "--json"];
     let run = run.into_iter().chain(["--performance", piece]);
@@ -37,7 +34,7 @@ fn run(folder: &Path, piece: &str, links: &[&str]) -> Said {
     letoff::run(folder, &run.chain(links).collect::<Vec<_>>())
 }
 
-/// The report of a run, but for the time of day at which it began.
+/// The report of a run without its start time.
 fn report(said: &Said) -> Value {
     let mut report = said.report();
     report["started"].take();
@@ -54,14 +51,14 @@ fn a_host_in_lockstep_with_an_honest_board_gives_the_same_bits_every_time() {
         let _none = std::fs::remove_file(&told);
         let said = run(&folder, "none", &[&link]);
         assert_eq!(said.code, Some(0), "{said:?}");
-        // The rig has exited in order, or its last report would not be that of the end.
+        // The rig must have exited in order, or its last report would not be the final one.
         (said, std::fs::read_to_string(&told).expect("what the rig tells"))
     });
     let [(one, rig), (other, again)] = outcomes;
     let report = report(&one);
     assert_eq!((&report, &one.err, rig), (&self::report(&other), &other.err, again));
     assert_eq!(report["boards"][0]["state"], "armed", "{report}");
-    // Those of the ramp at the end, in which all forces fade, count as well.
+    // The samples of the final ramp, in which all forces fade, count as well.
     let hz = report["boards"][0]["samples_hz"].as_f64().expect("a rate");
     assert!((1_000.0..1_030.0).contains(&hz), "{report}");
     let troubles = ["/faults", "/links/gaps", "/links/refused", "/links/rearmed"];

@@ -1,12 +1,11 @@
-//! Boards behind real drivers, driven by the real program: a piece is played over every link,
-//! and whatever breaks, no board pushes that has no right to.
+//! Boards behind real drivers and the real program: a piece is played over every link, and
+//! whatever fails, no board pushes without permission.
 //!
 //! Simulated boards live behind pseudo-terminals and the serial driver; the reference firmware
 //! in emulated Cortex-M3 processors. CAN and USB need a kernel of their own:
 //! `cargo xtask guest-boards`.
 //!
-//! These are the tests that need a machine with time: they run one at a time, and one that was
-//! not given any says so and does not judge.
+//! These tests need machine time: they run one at a time and skip themselves if they got none.
 #![allow(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
 
 #[path = "../stage/letoff.rs"]

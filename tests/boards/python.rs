@@ -1,8 +1,7 @@
-//! A board in Python, written from PROTOCOL.md alone: it serves, and then it is wrong in every
-//! way that a board of a stranger may be.
+//! A board in Python, written from PROTOCOL.md alone: first correct, then faulty in every way.
 //!
-//! What virtual time can show stands in `tests/bad_boards.rs`; here another codec and another
-//! state machine meet the real program, and its sentences.
+//! `tests/bad_boards.rs` tests the same in virtual time; here another codec and another state
+//! machine meet the real program and its messages.
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -13,14 +12,13 @@ use crate::letoff::{self, Said};
 use crate::machine_time::{Task, WaitWatch, judged_with_time, say, with_time};
 use crate::rig::{count, interrupt, machine, part_of_machine, run_watched, side_by_side, wait_for};
 
-/// The board's own process.
 pub(crate) struct PythonBoard {
     child: Option<Child>,
     pub(crate) link: String,
 }
 
 impl PythonBoard {
-    /// Starts the board in `folder`; nothing without Python, and then says so.
+    /// Starts the board in `folder`; prints a note and returns `None` without Python.
     pub(crate) fn start(folder: &Path, arguments: &[&str]) -> Option<Self> {
         let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/boards/board.py");
         let port = folder.join("board");
@@ -36,12 +34,11 @@ impl PythonBoard {
         Some(board)
     }
 
-    /// Its threads.
     pub(crate) fn task(&self) -> Task {
         Task::process(self.child.as_ref().expect("it lives"))
     }
 
-    /// Ends it; returns what the host did to it.
+    /// Stops the board; returns its report on the host.
     pub(crate) fn stop(mut self) -> Value {
         let child = self.child.take().expect("it lives");
         interrupt(&child);
@@ -59,8 +56,8 @@ impl Drop for PythonBoard {
     }
 }
 
-/// The folder of its calibration file, which the real command has written; none if this machine
-/// was too busy for it.
+/// Calibrates the board with the real command; returns the folder of the file, or `None` on a
+/// machine that was too busy.
 fn calibrated(folder: &Path, board: PythonBoard) -> Option<PathBuf> {
     let files = folder.join("calibration");
     let dir = files.display().to_string();
@@ -75,10 +72,8 @@ fn calibrated(folder: &Path, board: PythonBoard) -> Option<PathBuf> {
     Some(files)
 }
 
-/// Plays on the board with these `arguments`, whose keys a finger presses, with forces that are
-/// valid for `valid` (s); returns what the host said, and what the board tells.
-///
-/// Without a file the board says that it is a simulation, which needs none.
+/// Plays while a finger presses the keys, with forces valid for `valid` (s); returns the output
+/// of the host and the board's report. A board without a file calls itself a simulation.
 fn play(
     watch: &WaitWatch,
     folder: &Path,
@@ -97,7 +92,7 @@ fn play(
     watch.add(board.task());
     let calibration = format!("links.calibration=\"{}\"", files.display());
     let run = ["run", "springs", "--json", "--performance", "none", "--duration", "4"];
-    // What is stable with the delay of a board in Python.
+    // Stable with the delay of a board in Python.
     let spring = ["--set", "keys.0.instrument=spring"];
     let sets =
         [&spring[..], &["--set", &valid, "--set", &calibration, "--set", "tick_hz=500"]].concat();
@@ -105,7 +100,7 @@ fn play(
     (run_watched(watch, folder, &run), board.stop())
 }
 
-/// The largest force of each key, before it was wrong and after (mN).
+/// Largest force of each key before and after the fault (mN).
 fn forces(told: &Value) -> [Vec<u64>; 2] {
     ["before_mn", "after_mn"].map(|name| {
         let forces = told[name].as_array().expect("forces");
@@ -113,19 +108,18 @@ fn forces(told: &Value) -> [Vec<u64>; 2] {
     })
 }
 
-/// Whether the board had its time, and no voice failed since samples came late.
+/// Returns `true` if the board had its time and no voice failed because of late samples.
 fn had_time(said: &Said, told: &Value) -> bool {
-    // A board that starts anew counts its samples from there.
+    // A board that restarts counts its samples from there.
     let served = told["counters"][0].as_u64().unwrap_or_default().max(count(told, "/forces"));
     10 * count(told, "/skipped") < served && count(&said.report(), "/faults") == 0
 }
 
-/// What the host does when a board that was well is wrong.
+/// Response of the host to a fault of a running board.
 struct Wrong {
     way: &'static str,
-    /// Words on stderr.
     says: &'static [&'static str],
-    /// Whether the two keys are still sent forces.
+    /// `true` for each of the two keys that still gets forces.
     plays: [bool; 2],
 }
 
@@ -140,7 +134,7 @@ const IN_RUN: [Wrong; 8] = [
     Wrong { way: "lost-homing", says: &["do not know where 2 of its keys"], plays: [false, false] },
 ];
 
-/// What is refused before any force, and the words for it.
+/// Boards that are rejected before any force, with the words of the message.
 const REFUSED: [(&[&str], &str); 9] = [
     (&["--drift", "50000"], "% too fast, and at most 3 % is accepted"),
     (&["--wrong", "flag"], "its samples say that it renders no force"),
@@ -153,14 +147,14 @@ const REFUSED: [(&[&str], &str); 9] = [
     (&["--say", "max_sample_hz=0"], "max_sample_hz = 0, and 1 to 65535 is possible"),
 ];
 
-/// Drift of the clock that is refused (%).
+/// Drift of the rejected clock (%).
 const DRIFT: f64 = 5.0;
 
-/// Error within which the host must know a clock's rate before it refuses the clock (%):
-/// `RATE_ERROR` of `hardware/clock.rs`. Virtual time gives the exact figure (`bad_boards.rs`).
+/// Error within which the host must know a clock's rate before it rejects the clock (%):
+/// `RATE_ERROR` of `boards/clock.rs`. Virtual time gives the exact figure (`bad_boards.rs`).
 const RATE_ERROR: f64 = 0.3;
 
-/// Returns the drift that the host reports (%), if it refuses a clock.
+/// Returns the drift in the host's message (%), if it rejects a clock.
 fn reported_drift(said: &Said) -> Option<f64> {
     let (_before, figure) = said.err.split_once("its clock runs ")?;
     figure.split(' ').next()?.parse().ok()
@@ -194,7 +188,7 @@ fn a_board_written_from_the_document_serves_and_what_is_wrong_with_it_is_said() 
     });
 
     side_by_side(&folder, 2, &IN_RUN, |folder, Wrong { way, says, plays }| {
-        // Samples can be told to be late by up to 60 ms, longer than these forces are valid.
+        // Samples may be marked up to 60 ms late, longer than these forces are valid.
         let valid = if *way == "late" { "0.02" } else { "0.1" };
         judged_with_time(way, |watch| {
             let wrong = ["--wrong", way, "--at", "1"];
@@ -212,7 +206,7 @@ fn a_board_written_from_the_document_serves_and_what_is_wrong_with_it_is_said() 
     });
 }
 
-/// A board that does not do as it is asked is not asked for ever.
+/// Asserts that the host stops arming a board that does not obey.
 #[track_caller]
 fn check_armings(what: &str, told: &Value) {
     let n = count(told, "/arm_requests");

@@ -1,12 +1,11 @@
-//! What is refused before a force is sent, with a sentence that names link and board: exit code
-//! 1, since a board may come to power yet; 2 where the scene is wrong.
+//! Rejections before the first force, in a sentence that names link and board. Exit code 1, since
+//! a board may still get power; 2 for a wrong scene.
 
 use crate::letoff;
 use crate::machine_time::with_time;
 use crate::rig::{Boards, arguments, machine, part_of_machine, run_watched};
 
-/// Asserts that a host is refused boards that were started with `boards`, in a sentence with
-/// all of `words`.
+/// Asserts that the host rejects boards started with `boards`, in a sentence with all of `words`.
 #[track_caller]
 fn check(name: &str, count: usize, boards: &[&str], words: &[&str]) {
     let _machine = part_of_machine();
@@ -73,7 +72,7 @@ fn a_board_that_lies_about_what_the_scene_knows() {
 fn a_port_behind_which_nobody_speaks_the_protocol() {
     let _machine = part_of_machine();
     let folder = letoff::folder("refused-printer");
-    // Everything that the board says is lost: what comes is no frame.
+    // Every byte of the board is damaged, so no frame arrives.
     let boards = Boards::start(&folder, 1, &["--flip", "1"]);
     let links = boards.links();
     let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
@@ -92,7 +91,7 @@ fn a_clock_that_runs_too_fast() {
         let said = run_watched(watch, &folder, &arguments(&links, &["--performance", "none"]));
         assert_eq!(said.code, Some(1), "{said:?}");
         letoff::check_words(&said, &["board 0 on", "% too fast, and at most 3 % is accepted"]);
-        // It had to be armed before its clock could be read, and was given no force.
+        // It was armed so that its clock could be read, but got no force.
         assert_eq!(boards.stop()[0]["counts"]["forces"], 0);
     });
 }
@@ -147,10 +146,10 @@ fn a_loop_that_is_too_late_for_its_instrument() {
         let said = run_watched(watch, &folder, &grand);
         assert_eq!(said.code, Some(1), "{said:?}");
         letoff::check_words(&said, &["with the delay of these links", "with grand", "ms of delay"]);
-        // Three milliseconds there, three back, and half a tick in which samples wait.
+        // 3 ms in each direction, and half a tick in which samples wait.
         let delay = said.err.split("1000 Hz and ").nth(1).and_then(|it| it.split(' ').next());
         assert!(delay.and_then(|it| it.parse().ok()).is_some_and(|ms: f64| 6.5 <= ms), "{said:?}");
-        // What bears it is not refused, with the same boards.
+        // An instrument that bears the delay is accepted on the same boards.
         let spring = [grand.as_slice(), &["--set", "keys.0.instrument=spring"]];
         let said = run_watched(watch, &folder, &spring.concat());
         assert_eq!(said.code, Some(0), "{said:?}");

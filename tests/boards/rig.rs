@@ -10,21 +10,21 @@ use serde_json::Value;
 use crate::letoff::{self, Said};
 use crate::machine_time::{Task, WaitWatch, say};
 
-/// Whoever is judged by time has the machine alone.
+/// Held exclusively by a test that is judged by time.
 static MACHINE: RwLock<()> = RwLock::new(());
 
-/// The whole machine, for one test.
+/// Reserves the machine for one test.
 pub(crate) fn machine() -> RwLockWriteGuard<'static, ()> {
     MACHINE.write().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A part of the machine, for a test that mostly waits and that others beside it do not spoil.
+/// Shares the machine, for a test that mostly waits and tolerates others beside it.
 pub(crate) fn part_of_machine() -> RwLockReadGuard<'static, ()> {
     MACHINE.read().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Tests `cases`, `at_once` at a time, each thread in its own folder within `folder`: for cases
-/// that mostly wait, and that a busy machine does not spoil.
+/// Tests `cases`, `at_once` at a time, each thread in its own folder within `folder`. For cases
+/// that mostly wait and tolerate a busy machine.
 pub(crate) fn side_by_side<T: Sync>(
     folder: &Path,
     at_once: usize,
@@ -41,7 +41,6 @@ pub(crate) fn side_by_side<T: Sync>(
     });
 }
 
-/// `letoff board` in a process of its own.
 pub(crate) struct Boards {
     child: Option<Child>,
     folder: PathBuf,
@@ -49,7 +48,7 @@ pub(crate) struct Boards {
 }
 
 impl Boards {
-    /// Starts boards 0 to `count` − 1 on pseudo-terminals, with more `arguments`.
+    /// Starts boards 0 to `count` − 1 on pseudo-terminals with additional `arguments`.
     pub(crate) fn start(folder: &Path, count: usize, arguments: &[&str]) -> Self {
         let links = folder.join("links");
         let _none = std::fs::remove_dir_all(&links);
@@ -63,25 +62,23 @@ impl Boards {
         boards
     }
 
-    /// Its threads.
     pub(crate) fn task(&self) -> Task {
         Task::process(self.child.as_ref().expect("they live"))
     }
 
-    /// The links to all of them, as arguments.
     pub(crate) fn links(&self) -> Vec<String> {
         let port = |n| self.folder.join(format!("links/board{n}"));
         let link = |n| ["--link".to_owned(), format!("serial:{}", port(n).display())];
         (0..self.count).flat_map(link).collect()
     }
 
-    /// Stops them; returns what became of each.
+    /// Stops the boards; returns the report of each.
     pub(crate) fn stop(mut self) -> Vec<Value> {
         let child = self.child.take().expect("they live");
         interrupt(&child);
         let said = letoff::end(child);
         assert_eq!(said.code, Some(0), "{said:?}");
-        // Before it stands where they were, for whoever looked for them.
+        // The report follows the paths of the boards.
         let (_places, report) = said.out.split_once('\n').expect("a line and a report");
         let report: Value = serde_json::from_str(report).expect("a report as JSON");
         report.as_array().expect("a list of boards").clone()
@@ -97,14 +94,13 @@ impl Drop for Boards {
     }
 }
 
-/// Ends a process as Ctrl-C does.
+/// Sends the child SIGINT, as Ctrl-C does.
 pub(crate) fn interrupt(child: &Child) {
     let pid = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw);
     let signal = rustix::process::Signal::INT;
     rustix::process::kill_process(pid.expect("a process"), signal).expect("it lives");
 }
 
-/// Waits until something is so.
 #[track_caller]
 pub(crate) fn wait_for(what: &str, is_so: impl Fn() -> bool) {
     let end = Instant::now() + Duration::from_mins(1);
@@ -114,27 +110,24 @@ pub(crate) fn wait_for(what: &str, is_so: impl Fn() -> bool) {
     }
 }
 
-/// Runs `letoff` to its end, and watches it.
 pub(crate) fn run_watched(watch: &WaitWatch, folder: &Path, arguments: &[&str]) -> Said {
     let child = letoff::start(folder, arguments);
     watch.add(Task::process(&child));
     letoff::end(child)
 }
 
-/// Arguments of a run over `links`.
 pub(crate) fn arguments<'a>(links: &'a [String], more: &[&'a str]) -> Vec<&'a str> {
     let run = ["run", "springs", "--json"].into_iter();
     run.chain(links.iter().map(String::as_str)).chain(more.iter().copied()).collect()
 }
 
-/// Runs the host over `links`, and watches it; returns its report.
 #[track_caller]
 pub(crate) fn run(watch: &WaitWatch, folder: &Path, links: &[String], more: &[&str]) -> Value {
     report(&run_watched(watch, folder, &arguments(links, more)))
 }
 
-/// The report of a host that ended well, or in which voices failed: where samples come late, a
-/// key's loop makes energy, and whoever judges the exchange says whether the machine is to blame.
+/// Returns the report of a host that ended well or with failed voices. Late samples let a key's
+/// loop generate energy; the caller judges if the machine is to blame.
 #[track_caller]
 pub(crate) fn report(said: &Said) -> Value {
     assert!(matches!(said.code, Some(0 | 1)), "{said:?}");
@@ -145,7 +138,7 @@ pub(crate) fn report(said: &Said) -> Value {
     report
 }
 
-/// Whether a board was not played as it should.
+/// Returns `true` if a board was not played as intended.
 fn has_failed(board: &Value) -> bool {
     let lists = ["muted", "softened", "unproven"].map(|list| &board[list]);
     let [missing, frames] = ["/missing", "/frames"].map(|it| count(board, it));
@@ -156,30 +149,27 @@ fn has_failed(board: &Value) -> bool {
         || frames + missing < 4 * missing
 }
 
-/// A count in a report.
 #[track_caller]
 pub(crate) fn count(report: &Value, path: &str) -> u64 {
     let value = report.pointer(path).unwrap_or_else(|| panic!("no {path} in {report}"));
     value.as_u64().unwrap_or_else(|| panic!("{path} is {value}"))
 }
 
-/// A number in a report.
 #[track_caller]
 pub(crate) fn number(report: &Value, path: &str) -> f64 {
     let value = report.pointer(path).unwrap_or_else(|| panic!("no {path} in {report}"));
     value.as_f64().unwrap_or_else(|| panic!("{path} is {value}"))
 }
 
-/// Whether the machine gave host and boards their time: the host was woken for all but a few
-/// ticks, a bare timer beside was never very late, and neither were the boards looked after late.
+/// Returns `true` if host and boards got their time: the host woke for all but a few ticks, and
+/// neither a bare timer nor the boards' service was very late.
 ///
-/// Nothing of it depends on what goes over the links: a host that exchanges badly is judged.
+/// The verdict is independent of the links, so a host that exchanges badly is still judged.
 pub(crate) fn had_time(report: &Value, boards: &[Value]) -> bool {
     had_host_time(report) && boards.iter().all(|it| number(it, "/longest_gap_ms") < 10.0)
 }
 
-/// Asserts that the boards with these numbers exchanged as often as they should, and rendered
-/// nothing that was long under way.
+/// Asserts that these boards exchanged as often as planned and rendered no stale force.
 #[track_caller]
 pub(crate) fn check_exchange(report: &Value, mut numbers: impl Iterator<Item = usize>) {
     let tick_hz = number(report, "/tick_hz");
@@ -192,14 +182,14 @@ pub(crate) fn check_exchange(report: &Value, mut numbers: impl Iterator<Item = u
     assert_eq!(count(report, "/faults"), 0, "{report}");
 }
 
-/// Whether emulated boards had their time too: their clocks are the machine's own.
+/// Like [`had_time`] for emulated boards, whose clocks are the machine's own.
 pub(crate) fn had_emulated_time(report: &Value) -> bool {
     let tick_hz = number(report, "/tick_hz");
     let mut boards = report["boards"].as_array().into_iter().flatten();
     had_host_time(report) && boards.all(|it| 0.97 * tick_hz < number(it, "/samples_hz"))
 }
 
-/// The part that concerns the host.
+/// The host's share of [`had_time`].
 pub(crate) fn had_host_time(report: &Value) -> bool {
     let ticks = count(report, "/ticks") + count(report, "/skipped");
     let late =
@@ -207,7 +197,6 @@ pub(crate) fn had_host_time(report: &Value) -> bool {
     100 * late <= ticks && number(report, "/deadline/timer_baseline_us/max") < 10e3
 }
 
-/// Prints rates, round trips and gaps of every board.
 pub(crate) fn print_figures(what: &str, report: &Value) {
     say(&format!(
         "{what}: onset error p99 {:.2} ms",

@@ -10,7 +10,7 @@ use crate::rig::{
     run, run_watched, wait_for,
 };
 
-/// A host in `folder` in the middle of its piece: its tick's thread is there once it has rehearsed.
+/// A host in the middle of its piece: the tick's thread exists once the rehearsal is over.
 fn playing(watch: &WaitWatch, folder: &Path, links: &[String]) -> Guarded {
     let host = watch.guard(letoff::start(folder, &arguments(links, &["--duration", "20"])));
     let tasks = format!("/proc/{}/task", host.id());
@@ -25,7 +25,7 @@ fn playing(watch: &WaitWatch, folder: &Path, links: &[String]) -> Guarded {
     host
 }
 
-/// Eight boards and their links, after the host that played on them was killed.
+/// Eight boards and their links, after their host was killed.
 fn boards_of_a_killed_host(watch: &WaitWatch, folder: &Path) -> (Boards, Vec<String>) {
     let boards = Boards::start(folder, 8, &[]);
     watch.add(boards.task());
@@ -36,7 +36,7 @@ fn boards_of_a_killed_host(watch: &WaitWatch, folder: &Path) -> (Boards, Vec<Str
     (boards, links)
 }
 
-/// Largest age of a force that a board may apply (us): the time that forces are valid, and a tick.
+/// Largest age of a force that a board may apply (us): validity plus one tick.
 const VALID_US: f64 = 21e3;
 
 #[test]
@@ -63,8 +63,7 @@ fn a_piece_is_played_over_eight_ports() {
         assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
         assert_eq!(count(&report, "/links/gaps"), 0, "{report}");
         assert_eq!(count(&report, "/links/refused"), 0, "{report}");
-        // Time that a hypervisor steals unreported counts as own work: up to a third of the time
-        // that it reports.
+        // Unreported stolen time counts as own work: up to a third of the reported time.
         let own_work = count(&report, "/deadline/missed_own_work");
         let told = count(&report, "/deadline/missed_woken_late")
             + count(&report, "/deadline/missed_preempted");
@@ -81,7 +80,7 @@ fn bytes_that_are_lost_or_flipped_cost_frames_and_never_a_force() {
         let boards = Boards::start(&folder, 2, &["--loss", "0.001", "--flip", "0.001"]);
         watch.add(boards.task());
         let report = run(watch, &folder, &boards.links(), &["--duration", "4"]);
-        // A frame of 43 bytes is hit with a chance of 8 %.
+        // A frame of 43 bytes is hit with a probability of 8 %.
         assert!(20 < count(&report, "/links/gaps"), "{report}");
         assert!(20 < count(&report, "/links/refused"), "{report}");
         for board in boards.stop() {
@@ -104,7 +103,7 @@ fn a_host_that_is_killed_leaves_every_board_without_force_and_latched() {
             assert!(number(&board, "/force_n") < 1e-3, "{board}");
             assert!(number(&board, "/force_while_safe_n") < 1e-3, "{board}");
             assert!(100 < count(&board, "/counts/forces"), "{board}");
-            // 10 ms to fade, the motor's lag, and the boards' own process being woken.
+            // 10 ms of fading, the motor's lag, and the wake-up of the boards' own process.
             assert!(number(&board, "/quiet_after_ms") < 60.0, "{board}");
         }
     });
@@ -129,7 +128,7 @@ fn after_a_kill_the_next_host_arms_the_boards_and_plays() {
 fn a_board_that_dies_leaves_the_others_playing() {
     let _machine = machine();
     let folder = letoff::folder("boards-dies");
-    // Nothing is played on board 0, and much on 3 and 4.
+    // Board 0 plays nothing, boards 3 and 4 play much.
     judged_with_time("a board dies", |watch| {
         let boards = Boards::start(&folder, 8, &["--fate", "0@3:die", "--fate", "7@3:mute=0.3"]);
         watch.add(boards.task());
@@ -166,7 +165,7 @@ fn a_board_that_is_stopped_stays_stopped() {
         let report = report(&said);
         assert_eq!(report["boards"][1]["state"], "a key, motor or sensor failed", "{report}");
         assert_eq!(report["boards"][0]["state"], "armed", "{report}");
-        // It is said when it happens, and in the end.
+        // The host reports it when it happens, and again in the end.
         let sentence = format!("board 1 on {}: a key,", links[3].trim_start_matches("serial:"));
         assert_eq!(said.err.matches(&sentence).count(), 2, "{said:?}");
         assert_eq!(report["boards"][0]["calibrated"], false, "{report}");
@@ -194,7 +193,7 @@ fn a_clock_that_runs_backwards_is_noticed_and_learned_anew() {
         assert!(1 <= count(board, "/clock_jumps"), "{report}");
         assert_eq!(board["state"], "armed", "{report}");
         let drift = number(board, "/drift_ppm");
-        // Round trips are known to half a tick, over the three seconds since.
+        // Round trips are known to half a tick, over the 3 s since.
         assert!((drift - 5000.0).abs() < 1e3, "{drift} ppm");
     });
 }
@@ -229,7 +228,6 @@ fn an_emergency_stop_takes_every_force_away_and_is_latched() {
         assert_eq!(said.code, Some(0), "{said:?}");
         let report = said.report();
         assert_eq!(report["stopped"], true, "{report}");
-        // The next hosts leave it stopped and report it.
         for _ in 0..2 {
             let said = run_watched(watch, &folder, &arguments(&links, &["--performance", "none"]));
             assert_eq!(said.code, Some(1), "{said:?}");

@@ -1,4 +1,4 @@
-//! The system calls of a tick, as strace sees them, beside the list in ARCHITECTURE.md.
+//! The system calls of a tick, traced by strace, against the list in ARCHITECTURE.md.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -9,19 +9,16 @@ use crate::letoff;
 use crate::machine_time::{judged, say};
 use crate::rig::{Boards, machine};
 
-/// The table's heading in ARCHITECTURE.md.
 const HEADING: &str = "### System calls of a tick";
 
-/// A row of the table.
 struct Listed {
     calls: BTreeSet<String>,
-    /// Whether the other lanes' threads may, too.
+    /// `true` if the threads of the other lanes may call it, too.
     by_lanes: bool,
-    /// Whether it stands there for boards' links alone.
+    /// `true` if only links to boards need it.
     for_links: bool,
 }
 
-/// The rows of the table.
 fn listed() -> Vec<Listed> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("ARCHITECTURE.md");
     let text = fs::read_to_string(path).expect("ARCHITECTURE.md");
@@ -39,27 +36,25 @@ fn listed() -> Vec<Listed> {
         .collect()
 }
 
-/// The three cells of a row.
 fn cells(row: &str) -> [&str; 3] {
     let mut cells = row.trim_matches('|').splitn(3, '|');
     std::array::from_fn(|_| cells.next().expect("three cells"))
 }
 
-/// One call: the name of its thread, its own, and the rest of the line.
+/// One call: name of its thread, name of the call, rest of the line.
 struct Call {
     thread: String,
     name: String,
     rest: String,
 }
 
-/// The calls of the tick's threads from the first sleep of a tick to the last; none if no tick
-/// was run.
+/// Calls of the tick's threads from the first sleep of a tick to the last; none without a tick.
 fn calls_between_ticks(trace: &str) -> Vec<Call> {
     let mut threads = BTreeMap::new();
     let mut calls: Vec<Call> = Vec::new();
     for line in trace.lines() {
         let (id, what) = line.trim_start().split_once(' ').unwrap_or_default();
-        // What is left: the end of a call that was shown before, a signal, the end of a thread.
+        // Other lines: the end of a call shown before, a signal, the end of a thread.
         let Some((name, rest)) = what.trim_start().split_once('(') else { continue };
         if !name.bytes().all(|it| it.is_ascii_alphanumeric() || it == b'_') {
             continue;
@@ -77,14 +72,13 @@ fn calls_between_ticks(trace: &str) -> Vec<Call> {
     calls.drain(first..last).collect()
 }
 
-/// The thread of the tick.
 const TICK: &str = "letoff-tick";
 
 fn is_of_tick(thread: &str) -> bool {
     thread == TICK || thread.starts_with("letoff-lane-")
 }
 
-/// Whether anything can be traced; says so if nothing can.
+/// Returns `true` if tracing works, else prints a note.
 fn can_trace() -> bool {
     let tried = Command::new("strace").args(["-f", "-qq", "-o", "/dev/null", "true"]).output();
     let can = tried.is_ok_and(|it| it.status.success());
@@ -94,33 +88,30 @@ fn can_trace() -> bool {
     can
 }
 
-/// The calls of the ticks of a run with `more` arguments; `None` if the machine was too busy for
-/// many ticks, or for boards to be armed under strace.
+/// Traces the ticks of a run; `None` if the machine was too busy for many ticks or for arming.
 fn traced(folder: &Path, more: &[&str]) -> Option<Vec<Call>> {
     let trace = folder.join("calls");
     let run = ["run", "springs", "--listen", "none", "--json", "--duration", "3"];
     let said = letoff::run_traced(folder, &trace, &[&run, more].concat());
-    // Under strace, samples come so late that voices may fail.
+    // Under strace, samples are so late that voices may fail.
     assert!(matches!(said.code, Some(0 | 1)), "{said:?}");
     let calls = calls_between_ticks(&fs::read_to_string(trace).expect("a trace"));
     let ticks = calls.iter().filter(|it| it.name == "clock_nanosleep").count();
     (100 < ticks).then_some(calls)
 }
 
-/// Tries up to three times for the calls of a run that had time.
+/// Tries up to three times to trace a run that had time.
 fn judged_calls(what: &str, attempt: impl FnMut() -> Option<Vec<Call>>) -> Option<Vec<Call>> {
     can_trace().then(|| judged(&format!("system calls of a tick, {what}"), attempt))?
 }
 
-/// Where the keys of a run are.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum KeyPlace {
     Simulated,
-    /// The tick reads and writes their links, too.
+    /// The tick also reads and writes their links.
     OnBoards,
 }
 
-/// Asserts that each call is listed, for its thread.
 #[track_caller]
 fn check(calls: &[Call], keys: KeyPlace) {
     let rows = listed();
@@ -134,7 +125,6 @@ fn check(calls: &[Call], keys: KeyPlace) {
     }
 }
 
-/// How often `thread` called `name`.
 fn count(calls: &[Call], thread: &str, name: &str) -> usize {
     calls.iter().filter(|it| it.thread == thread && it.name == name).count()
 }
@@ -176,7 +166,7 @@ fn links_to_boards_are_read_and_written_and_nothing_else() {
     let calls = judged_calls("links to boards", || {
         let boards = Boards::start(&folder, 2, &[]);
         let links = boards.links();
-        // What is stable with links that are traced.
+        // Stable over links that are traced.
         let sets = ["--set", "lanes=2", "--set", "keys.0.instrument=spring"];
         let more: Vec<_> = links.iter().map(String::as_str).chain(sets).collect();
         traced(&folder, &more)
@@ -186,7 +176,7 @@ fn links_to_boards_are_read_and_written_and_nothing_else() {
     for name in ["read", "write"] {
         assert!(100 < count(&calls, TICK, name), "{name}");
     }
-    // A read of an empty port waits for a thread of the kernel.
+    // A read of an empty port waits for a kernel thread.
     let is_empty = |it: &&Call| it.name == "read" && it.rest.contains("EAGAIN");
     assert_eq!(calls.iter().filter(is_empty).count(), 0, "an empty port is not read");
 }

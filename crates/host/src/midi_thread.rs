@@ -281,7 +281,7 @@ mod tests {
     use crate::adapters::observer::TickPublisher;
     use engine::realtime::run::histogram;
 
-    /// An output that writes down what it is sent, in the order in which that happens.
+    /// Records the sent messages in order.
     #[derive(Clone, Default)]
     struct Heard(Arc<Mutex<Vec<(f64, Message)>>>);
 
@@ -296,7 +296,7 @@ mod tests {
         }
     }
 
-    /// An output that counts how often it is looked after.
+    /// Counts the polls of an output.
     #[derive(Clone, Default)]
     struct Polled(Arc<AtomicU64>);
 
@@ -371,7 +371,7 @@ mod tests {
             MidiDispatcher::new(events, Box::new(heard.clone()), VelocityCurve::default());
         let start = clock::monotonic();
         publish(0, &[(50, 0.5, strike)], &mut publisher);
-        // Strikes of lower keys come later in the tick, and one note ends as another begins.
+        // Strikes of lower keys follow later in the tick, and one note ends as another begins.
         let chord = [(10, 0.9, strike), (30, 0.6, strike), (50, 0.6, fall), (87, 0.1, strike)];
         publish(1, &chord, &mut publisher);
         let stop = AtomicBool::new(true);

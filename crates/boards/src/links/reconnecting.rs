@@ -164,7 +164,7 @@ mod tests {
     use super::*;
     use std::sync::atomic::AtomicU32;
 
-    /// A link that is down after some frames.
+    /// A link that fails after some frames.
     struct Brief(u32);
 
     impl Link for Brief {
@@ -188,7 +188,7 @@ mod tests {
         let its_attempts = Arc::clone(&attempts);
         let open = move || {
             let attempt = its_attempts.fetch_add(1, Ordering::Relaxed);
-            // The second time it is still unplugged.
+            // At the second attempt it is still unplugged.
             if attempt == 1 {
                 Err(Error::Pty(std::io::ErrorKind::NotFound.into()))
             } else {

@@ -428,7 +428,7 @@ mod tests {
     use super::*;
     use crate::topology;
 
-    /// What the host knows of a key after its board said that it is at 5 mm, with this speed (m/s).
+    /// Sample of a key that its board reports at 5 mm with this speed (m/s).
     fn heard(packing: SamplePacking, speed: f64) -> KeySample {
         let place = topology::standard()[0];
         let n_keys = place.n_keys;

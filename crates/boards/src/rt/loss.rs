@@ -83,7 +83,7 @@ impl Loss {
 mod tests {
     use super::*;
 
-    /// Asserts which of the frames (number, tick) are news, and returns the counts.
+    /// Asserts which frames (number, tick) are new; returns the counts.
     #[track_caller]
     fn check(frames: &[(u8, u64)], news: &[bool]) -> LossCounts {
         let mut loss = Loss::default();

@@ -189,7 +189,7 @@ mod tests {
         KeyCalibration::nominal(1e-6)
     }
 
-    /// Readings (m) that follow on each other every [`H`]: which were used, and the check.
+    /// Checks readings (m) every [`H`]; returns which were used, and the check.
     fn read(positions: impl IntoIterator<Item = f64>) -> (Vec<bool>, KeyCheck) {
         let mut check = KeyCheck::default();
         let used = positions.into_iter().enumerate();
@@ -197,7 +197,7 @@ mod tests {
         (used.collect(), check)
     }
 
-    /// Numbers of chance, uniform in −1 .. 1.
+    /// Random numbers, uniform in −1 .. 1.
     fn chance() -> impl Iterator<Item = f64> {
         let mut random = Random(0x9E37_79B9_7F4A_7C15);
         std::iter::repeat_with(move || 2.0 * random.unit() - 1.0)
@@ -256,7 +256,7 @@ mod tests {
             }
             assert_eq!(check.muted(), muted, "{scale} {offset}");
         }
-        // A key that rests and says that it moves.
+        // A key that rests and reports a speed.
         let mut check = KeyCheck::default();
         (0..200).for_each(|_| {
             check.add_speed(0.4, 0.0, Some(H));
@@ -282,8 +282,8 @@ mod tests {
         assert!((0..1000).all(|_| check.accept(3.0, Some(H), &unmeasured)));
     }
 
-    /// The fastest finger there is, fifteen times a second, on a key with nothing behind it or
-    /// with a motor that throws it back: every sample of it is used, at every rate.
+    /// The fastest finger, fifteen strokes per second, on a key with nothing behind it or with a
+    /// motor that throws it back: every sample is used, at every rate.
     #[test]
     fn no_stroke_of_a_finger_is_implausible() {
         let strokes = (0..30).map(|n| Gesture {

@@ -220,7 +220,7 @@ mod tests {
         interlock
     }
 
-    /// An interlock in a state of PROTOCOL.md, and the nonce that was given out last.
+    /// An interlock in a state of PROTOCOL.md, and its last nonce.
     fn in_state(state: &str) -> (ForceInterlock, u32) {
         let mut interlock = ForceInterlock::new(7);
         let nonce = interlock.disarm(0).unwrap();
@@ -330,7 +330,7 @@ mod tests {
         }
     }
 
-    /// Asserts that `reason` replaces whatever there was, and that nothing replaces it.
+    /// Asserts that `reason` replaces any earlier reason, and that none replaces it.
     #[track_caller]
     fn check_latched(mut interlock: ForceInterlock, reason: u8, other: u8) {
         for later in [reason, other, safe_reason::SILENCE] {
@@ -349,7 +349,7 @@ mod tests {
             |interlock, now_us| _ = interlock.disarm(now_us),
         ];
         for take_away in away {
-            // Disarmed at 5 ms, expired at 20 ms and nobody has looked, armed and never fed.
+            // Disarmed at 5 ms; expired at 20 ms without a poll; armed and never fed.
             let (mut disarmed, mut expired, mut unfed) = (armed(), armed(), armed());
             let _fed = [disarmed.feed(0, 0), expired.feed(0, 0)];
             let _nonce = disarmed.disarm(5_000);

@@ -1,7 +1,7 @@
-//! The real CAN driver, on the interface that `LETOFF_CAN` names: a virtual one, and free.
+//! The real CAN driver on the free virtual interface that `LETOFF_CAN` names.
 //!
-//! Without one everything here is skipped, and says so. As root, in a guest or not:
-//! `ip link add vcan0 type vcan && ip link set vcan0 up`. Parts take it down and up again.
+//! Without one the tests are skipped with a note. As root, in a guest or not:
+//! `ip link add vcan0 type vcan && ip link set vcan0 up`. Some parts take it down and up again.
 #![cfg(target_os = "linux")]
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_methods, reason = "boards that run on a clock of their own")]
@@ -17,13 +17,13 @@ use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
 use socketcan::{CanErrorFrame, CanFdSocket, Socket as _};
 
-/// How long is waited for what must come.
+/// Limit of each wait.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// How often is asked for it at least.
+/// Minimum polls before a wait fails.
 const TRIES: u32 = 200_000;
 const MODES: [CanMode; 2] = [CanMode::Fd, CanMode::Classic];
 
-/// One test, since all share one interface; each part leaves it as it found it.
+/// One test, since all parts share one interface and leave it as they found it.
 #[test]
 fn on_a_virtual_interface_the_driver_keeps_its_promises() {
     let Ok(name) = std::env::var("LETOFF_CAN") else {
@@ -36,7 +36,7 @@ fn on_a_virtual_interface_the_driver_keeps_its_promises() {
         a_bus_that_is_full_takes_frames_whole_or_not_at_all(&name, mode);
     }
     eight_boards_send_without_a_gap(&name, CanMode::Fd, 1_000);
-    // What a real bus of 1 Mbit/s carries of these frames.
+    // Rates that a real bus of 1 Mbit/s carries.
     eight_boards_send_without_a_gap(&name, CanMode::Classic, 60);
     an_interface_that_goes_down_says_so_and_works_again(&name);
     an_interface_without_fd_says_what_to_do(&name);
@@ -46,7 +46,7 @@ fn each_side_hears_what_is_for_it(name: &str) {
     for mode in MODES {
         let mut host = open(name, mode, BusSide::Host);
         let mut boards = [3, 4].map(|number| open(name, mode, board(number)));
-        // Stop, who is there, forces for 3, multicast forces, request for 4.
+        // Stop, identify, forces for 3, multicast forces, request for 4.
         for head in [[0x0F, 1], [0x0F, 3], [0x23, 0], [0x42, 0], [0x84, 0]] {
             host.try_send(&[head[0], head[1], 7, 7, 7, 7, 7, 7]).expect("there is room");
         }
@@ -89,7 +89,7 @@ fn a_reader_that_stops_reading_loses_whole_frames(name: &str, mode: CanMode) {
     while sent < 5_000 && board.try_send(&samples(3, sent)) == Ok(()) {
         sent += 1;
     }
-    // A virtual bus has no queue: what the reader's socket has no room for is lost there.
+    // A virtual bus has no queue: frames that overflow the reader's socket are lost there.
     let (mut arrived, mut last) = (0_u32, None);
     loop {
         match recv(&mut host) {
@@ -130,7 +130,7 @@ fn a_bus_that_is_full_takes_frames_whole_or_not_at_all(name: &str, mode: CanMode
     }
     for number in &taken {
         let got = soon(|| {
-            // Asking the board for anything sends what it has left of a frame.
+            // Any call to the board sends the rest of its frame.
             assert_eq!(recv(&mut board), Ok(None));
             recv(&mut host).expect("whole frames")
         });
@@ -171,7 +171,7 @@ fn eight_boards_send_without_a_gap(name: &str, mode: CanMode, hertz: u32) {
     assert_eq!(host.health(), Health::default());
 }
 
-/// Does not catch up after a pause: a socket holds 278 frames that nobody has read.
+/// Does not catch up after a pause: a socket holds only 278 unread frames.
 fn send_for_a_second(link: &mut Can, board: u8, hertz: u32) {
     for number in 0..hertz {
         let due = Instant::now() + Duration::from_secs(1) / hertz;
@@ -227,7 +227,7 @@ fn board(number: u8) -> BusSide {
     BusSide::Board(BoardId::new(number).expect("a board"))
 }
 
-/// Samples of a board with a number in them, as long as eleven keys take on CAN FD.
+/// Numbered samples of a board, as long as eleven keys need on CAN FD.
 fn samples(board: u8, number: u32) -> Vec<u8> {
     let mut frame = vec![0x60 | board; 48];
     frame[1..5].copy_from_slice(&number.to_le_bytes());
@@ -244,7 +244,7 @@ fn recv(link: &mut Can) -> Result<Option<Vec<u8>>, RecvError> {
     Ok(link.try_recv(&mut buffer)?.map(|len| buffer[..len].to_vec()))
 }
 
-/// Asks until there is an answer; a machine that stood still meanwhile is asked on.
+/// Polls until there is an answer, and longer on a machine that stood still.
 #[track_caller]
 fn soon<T>(mut ask: impl FnMut() -> Option<T>) -> T {
     let (start, mut tries) = (Instant::now(), 0);
@@ -262,12 +262,12 @@ fn ip(arguments: &[&str]) -> bool {
     run("ip", arguments)
 }
 
-/// Whether a program ran and was content.
+/// Returns `true` if the program succeeded.
 fn run(program: &str, arguments: &[&str]) -> bool {
     Command::new(program).args(arguments).status().is_ok_and(|status| status.success())
 }
 
-/// Says on stderr, past the test harness, what was skipped or measured.
+/// Prints to stderr, past the test harness.
 fn tell(what: &str) {
     let _unheard = writeln!(std::io::stderr(), "{what}");
 }

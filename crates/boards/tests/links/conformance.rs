@@ -1,4 +1,4 @@
-//! What every link must do, asked of each of them. A new link adds one `#[test]`.
+//! The checklist for every link. A new link adds one `#[test]`.
 #![cfg(unix)]
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
@@ -15,9 +15,9 @@ use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
 
 const BAUD: u32 = 1_000_000;
-/// Times that is asked for a frame that a driver delivers late: seconds, not hours.
+/// Polls for a frame that a driver delivers late: seconds, not hours.
 const PATIENCE: usize = 3_000_000;
-/// No frame, as bytes: stuffing that points behind its end.
+/// Bytes that are no frame: stuffing that points behind its end.
 const SPOILT: [u8; 3] = [9, 1, 0];
 
 #[test]
@@ -56,7 +56,7 @@ fn serial_on_a_wire_without_faults() {
     }
 }
 
-/// One test for both modes: they share an interface, and would hear each other.
+/// One test for both modes, since they share an interface and would receive each other.
 #[test]
 fn can_where_there_is_an_interface() {
     let Ok(name) = std::env::var("LETOFF_CAN") else {
@@ -98,10 +98,9 @@ fn on_a_stream_a_corrupted_frame_is_told_and_the_next_is_read() {
     check_corrupt(2, Side::Host, &mut board);
 }
 
-/// Asserts that `n` frames from `from` are corrupt, and the next one whole.
 #[track_caller]
 fn check_corrupt(n: usize, from: Side, link: &mut dyn Link) {
-    // `recv` polls both sides: with one link for both it would lose what it polls as the other.
+    // `recv` polls both sides; with one link for both it would lose the frames of the other.
     let mut silence = Loopback::new(1);
     let lend: Lend<'_> = &mut |side, turn| {
         if side == from.other() { turn(link) } else { turn(&mut silence.host_end()) }
@@ -141,11 +140,10 @@ fn check(lend: Lend<'_>) {
     }
 }
 
-/// A frame that every link carries as it is: with a head that says from whom, and of a length
-/// that CAN FD has.
+/// A frame that every link carries unchanged: a head with the sender, a length of CAN FD.
 fn frame(from: Side, fill: u8, len: usize) -> Vec<u8> {
     let mut frame = vec![fill; len];
-    // Kinds 1, forces, and 3, samples; board 3.
+    // Kinds 1 (forces) and 3 (samples), board 3.
     frame[0] = match from {
         Side::Host => 0x23,
         Side::Board => 0x63,
@@ -202,14 +200,14 @@ fn send(lend: Lend<'_>, side: Side, frame: &[u8]) -> Result<(), SendError> {
     outcome.expect("the end was lent")
 }
 
-/// What comes, waited for.
+/// Waits for a frame.
 fn recv(lend: Lend<'_>, side: Side, room: usize) -> Result<Option<Vec<u8>>, RecvError> {
     for _ in 0..PATIENCE {
         let outcome = recv_now(lend, side, room);
         if outcome != Ok(None) {
             return outcome;
         }
-        // A frame sent in part goes on when its end is asked for anything.
+        // Any call at the other end sends the rest of a partly sent frame.
         let _nothing = recv_now(lend, side.other(), room);
         std::thread::yield_now();
     }
@@ -224,14 +222,12 @@ fn recv_now(lend: Lend<'_>, side: Side, room: usize) -> Result<Option<Vec<u8>>, 
     Ok(len.map(|len| buffer[..len].to_vec()))
 }
 
-/// A frame as it travels on a stream.
 fn encoded(frame: &[u8]) -> Vec<u8> {
     let mut wire = [0; firmware_protocol::serial::MAX_WIRE];
     let len = firmware_protocol::serial::encode(frame, &mut wire).expect("a frame");
     wire[..len].to_vec()
 }
 
-/// Says on stderr, past the test harness, what was not tested.
 fn skip(what: &str) {
     let _unheard = writeln!(std::io::stderr(), "SKIPPED: {what}");
 }

@@ -1,4 +1,4 @@
-//! Each fault of a disturbed link, and that the same seed disturbs in the same way.
+//! Each fault of a disturbed link, and reproducibility by the seed.
 
 use boards::links::faulty::{
     Chance, Direction, FaultCounts, FaultPlan, Faults, LinkFault, Scripted,
@@ -63,18 +63,17 @@ fn chance_strikes_about_as_often_as_planned_and_the_same_way_for_a_seed() {
     assert_ne!(losses(7), losses(8));
 }
 
-/// `fault` for all frames of the first exchange.
 fn scripted(fault: LinkFault, direction: Direction) -> FaultPlan {
     let script = vec![Scripted { exchanges: 0..1, direction, fault }];
     FaultPlan { script, ..FaultPlan::default() }
 }
 
-/// Asserts what arrives in each of four exchanges when the first has `fault`, both ways.
+/// Asserts the arrivals of four exchanges when the first has `fault`, both ways.
 #[track_caller]
 fn check(fault: LinkFault, expected: &[&[u8]; 4]) {
     for direction in [Direction::Send, Direction::Receive] {
         let (mut arrived, counts) = run(scripted(fault, direction), direction);
-        // A delayed frame is put on the wire before the one of its exchange.
+        // A delayed frame is put on the wire before the frame of its exchange.
         for bytes in &mut arrived {
             bytes.sort_unstable();
         }
@@ -84,7 +83,7 @@ fn check(fault: LinkFault, expected: &[&[u8]; 4]) {
     }
 }
 
-/// Sends frames 0 to 3, one in each exchange; returns what arrived in each.
+/// Sends frames 0 to 3, one per exchange; returns the arrivals of each.
 fn run(plan: FaultPlan, direction: Direction) -> ([Vec<u8>; 4], FaultCounts) {
     let mut wire = Loopback::new(4);
     let mut faults = Faults::new(plan);
@@ -106,7 +105,7 @@ fn run(plan: FaultPlan, direction: Direction) -> ([Vec<u8>; 4], FaultCounts) {
     (arrived, faults.counts())
 }
 
-/// The first byte of all frames that are there.
+/// Returns the first byte of each available frame.
 fn drain(mut recv: impl FnMut(&mut [u8]) -> Result<Option<usize>, RecvError>) -> Vec<u8> {
     let mut buffer = [0; MAX_LEN];
     let mut frames = Vec::new();

@@ -1,5 +1,3 @@
-//! Links: the checklist, faults, and real drivers.
-
 mod can;
 mod conformance;
 mod faulty;

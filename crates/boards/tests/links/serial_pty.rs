@@ -1,7 +1,6 @@
-//! The real serial driver on pseudo-terminals: rates, order, and what happens when an end goes
-//! away or stops reading.
+//! The real serial driver on pseudo-terminals: rates, order, and ends that leave or stop reading.
 //!
-//! Counts are asserted, times only told: they are this machine's.
+//! Counts are asserted; times depend on the machine and are only printed.
 #![cfg(unix)]
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_methods, reason = "boards that run on a clock of their own")]
@@ -18,11 +17,11 @@ use boards::links::{Link, RecvError, SendError};
 use firmware_protocol::MAX_FRAME;
 
 const BAUD: u32 = 1_000_000;
-/// Length of most frames: samples of eleven keys, 24 bits each.
+/// Length of most frames: samples of eleven keys with 24 bits each.
 const LEN: usize = 37;
-/// How long is waited for what must come.
+/// Limit of each wait.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// How often is asked for it at least.
+/// Minimum polls before a wait fails.
 const TRIES: u32 = 200_000;
 
 #[test]
@@ -101,7 +100,7 @@ fn a_board_outlives_its_clients() {
         let mut host = open(&path);
         check_passes(&mut board, &mut host);
         check_passes(&mut host, &mut board);
-        // Said to nobody, and thrown away when the next one comes.
+        // The frame below reaches no host and is discarded when the next one opens the port.
         drop(host);
         board.try_send(&numbered(99)).unwrap();
     }
@@ -121,7 +120,7 @@ fn a_reader_that_stops_reading_fills_the_port_and_costs_whole_frames_only() {
         assert_eq!(host.dropped(), 2 * (round + 1));
         for number in 0..sent {
             let got = soon(|| {
-                // Asking the host for anything sends what it has left of a frame.
+                // Any call to the host sends the rest of its frame.
                 let _nothing = host.try_recv(&mut [0; MAX_FRAME]);
                 recv(&mut board)
             });
@@ -173,7 +172,7 @@ fn on_a_wire_that_loses_bytes_every_frame_that_arrives_was_sent_and_the_next_is_
     ));
     // Five standard deviations of a binomial with n p q = 205.
     assert!(lost_bytes.abs_diff(sent / 1_000) < 72, "{lost_bytes}");
-    // A lost byte spoils its frame; a lost zero also the one behind. Never more.
+    // A lost byte spoils its frame; a lost zero also spoils the next one, never more.
     assert!(corrupt <= lost_bytes && lost_frames <= 2 * lost_bytes);
     assert!(lost_bytes / 2 < lost_frames, "{lost_frames}");
 }
@@ -195,7 +194,6 @@ fn open(path: &Path) -> Serial {
     Serial::open(path, BAUD).expect("the port opens")
 }
 
-/// Samples of board 3 with a number in them.
 fn numbered(number: u32) -> [u8; LEN] {
     let mut frame = [0; LEN];
     frame[0] = 0x63;
@@ -205,13 +203,12 @@ fn numbered(number: u32) -> [u8; LEN] {
     frame
 }
 
-/// The number in such a frame.
 fn number(frame: &[u8]) -> u32 {
     let bytes = frame.get(1..).and_then(<[u8]>::first_chunk).expect("a frame with a number");
     u32::from_le_bytes(*bytes)
 }
 
-/// Asks until there is an answer; a machine that stood still meanwhile is asked on.
+/// Polls until there is an answer, and longer on a machine that stood still.
 #[track_caller]
 fn soon<T>(mut ask: impl FnMut() -> Option<T>) -> T {
     let (start, mut tries) = (Instant::now(), 0);
@@ -225,7 +222,6 @@ fn soon<T>(mut ask: impl FnMut() -> Option<T>) -> T {
     ask().expect("it comes in time")
 }
 
-/// The next frame, if one is there.
 #[track_caller]
 fn recv(link: &mut impl Link) -> Option<Vec<u8>> {
     let mut buffer = [0; MAX_FRAME];
@@ -233,15 +229,13 @@ fn recv(link: &mut impl Link) -> Option<Vec<u8>> {
     Some(buffer[..len].to_vec())
 }
 
-/// Asserts that a frame passes as the very next one.
 #[track_caller]
 fn check_passes(from: &mut impl Link, to: &mut impl Link) {
     assert_eq!(from.try_send(&numbered(0x1234_5678)), Ok(()));
     assert_eq!(soon(|| recv(to)), numbered(0x1234_5678));
 }
 
-/// A board that sends back what it gets, until it is told to stop; returns how many frames
-/// came, in order.
+/// Echoes frames until `over`; returns the number that arrived in order.
 fn echo(mut board: impl Link, over: &AtomicBool) -> u32 {
     let mut next = 0;
     while !over.load(Ordering::Relaxed) {
@@ -256,7 +250,7 @@ fn echo(mut board: impl Link, over: &AtomicBool) -> u32 {
     next
 }
 
-/// Tells the boards to stop, also when the host's side has failed.
+/// Stops the boards, also when the host's side has failed.
 struct End<'a>(&'a AtomicBool);
 
 impl Drop for End<'_> {
@@ -265,11 +259,10 @@ impl Drop for End<'_> {
     }
 }
 
-/// A host's link to a board that echoes.
 struct Answered {
     link: Serial,
     asked: Vec<Instant>,
-    /// The number of the next answer.
+    /// Number of the next answer.
     next: u32,
     trips: Vec<Duration>,
 }
@@ -296,7 +289,6 @@ impl Answered {
     }
 }
 
-/// Listens until all have `n` answers.
 fn listen_for(hosts: &mut [Answered], n: u32) {
     soon(|| {
         hosts.iter_mut().for_each(Answered::listen);
@@ -304,14 +296,12 @@ fn listen_for(hosts: &mut [Answered], n: u32) {
     });
 }
 
-/// Median and 99 % of round trips.
 fn quantiles(mut trips: Vec<Duration>) -> String {
     trips.sort_unstable();
     let [half, most] = [trips.len() / 2, trips.len() * 99 / 100].map(|i| trips[i].as_micros());
     format!("round trip p50 {half} us, p99 {most} us")
 }
 
-/// Says on stderr, past the test harness, what was measured.
 fn tell(what: &str) {
     let _unheard = writeln!(std::io::stderr(), "MEASURED: {what}");
 }

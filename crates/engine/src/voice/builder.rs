@@ -260,7 +260,7 @@ mod tests {
 
     use super::*;
 
-    /// Returns the forces of 300 ticks from rest, in which the key goes down and up again.
+    /// Forces of 300 ticks from rest, in which the key goes down and up again.
     fn forces(voice: &mut AnyVoice) -> Vec<u64> {
         voice.reset(&KeySample::fresh(0.0));
         let position = |tick: u64| 1e-4 * (100.0 - (tick as f64 - 100.0).abs()).max(0.0);
@@ -272,14 +272,13 @@ mod tests {
         (0..300).map(force).collect()
     }
 
-    /// Where a key is that is pressed to its bottom in 60 ms and held there (m), in `tick` of 1 ms.
+    /// Position (m) of a key that is pressed to its bottom in 60 ms and held, at `tick` of 1 ms.
     fn pressed(tick: u64) -> f64 {
         let part = (tick as f64 / 60.0).min(1.0);
         9e-3 * part * part * (3.0 - 2.0 * part)
     }
 
-    /// Strikes of a pressed key whose voice is computed by other settings from each of these ticks
-    /// on.
+    /// Strikes of a pressed key with render settings that change at these ticks.
     fn strikes(renders: &[(u64, Render)]) -> usize {
         let scene = Scene::load(&Library::default(), "springs", &[]).unwrap();
         let key = scene.keys[39].as_ref().unwrap();

@@ -226,7 +226,7 @@ mod tests {
         path
     }
 
-    /// Follows a key that moves at `speed` (m/s) for `ticks`, each sample `late` (ticks).
+    /// Follows a key at `speed` (m/s) for `ticks`, each sample `late` (ticks).
     fn moved(path: &mut InputPath, speed: f64, ticks: u64, late: f64) {
         for tick in 0..ticks {
             let position = speed * (tick as f64 - late) * H;
@@ -292,7 +292,7 @@ mod tests {
             let mut next = InputPath::new(AnyEstimator::new(name, &settings), None, 2.0, H);
             next.succeed(&before);
             let seen = next.follow(100, &KeySample::fresh(0.5 * 100.0 * H)).signal.at(0.0);
-            // A low pass of 100 Hz knows a speed after 16 ms to 1 in 20000.
+            // A low pass of 100 Hz knows a speed to 1 in 20000 after 16 ms.
             assert!((seen.rate - 1.0).abs() < 0.01, "{name:?}: {seen:?}");
             assert!((seen.position - 0.1).abs() < 1e-4, "{name:?}: {seen:?}");
             let mut same = path();

@@ -585,7 +585,6 @@ mod tests {
 
     use super::*;
 
-    /// A ball that weighs nothing, on a key that is not touched.
     fn weightless(h: f64) -> RenderedKey<SmallModel, pode::stepper::Rk4> {
         let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
         let settings = VoiceSettings {
@@ -602,7 +601,6 @@ mod tests {
             slopes: SlopeOutput::Unused,
             revision: 0,
         };
-        // Gravity, restitution, mass, drop, and floor per key travel.
         let values = [0.0, 0.5, 0.01, 0.1, -5.0];
         let model = Library::default().find("bouncing-ball", "".as_ref()).expect("the ball");
         let model = model.small().expect("a small model").with_values(&values);
@@ -611,7 +609,7 @@ mod tests {
         voice
     }
 
-    /// The first of `ticks` in which `voice` sleeps.
+    /// First of `ticks` in which `voice` sleeps.
     fn first_idle(voice: &mut impl Voice, ticks: u32) -> Option<u64> {
         let mut turn = VoiceOutput::default();
         (0..u64::from(ticks)).find(|tick| {

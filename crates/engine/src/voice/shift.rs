@@ -73,7 +73,7 @@ mod tests {
             for theta in [0.0, 0.5, 1.0] {
                 let left = (1.0 - (f64::from(tick) + theta) / 300.0).max(0.0);
                 let way = moved.at(theta).position - key.at(theta).position;
-                // Three hundred subtractions of numbers below 1.
+                // 300 subtractions of numbers below 1.
                 assert!((way - 2e-3 * left).abs() < 1e-14, "tick {tick}: {way}");
             }
         }

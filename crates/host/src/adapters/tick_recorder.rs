@@ -243,7 +243,6 @@ mod tests {
 
     use super::*;
 
-    /// All keys at rest in the places that they are made with.
     struct Keys {
         samples: [KeySample; KEYS],
         turns: Vec<VoiceOutput>,
@@ -275,7 +274,7 @@ mod tests {
         }
     }
 
-    /// What a tap sees of `ticks` with these positions (mm), asleep or not.
+    /// Rows of `ticks` with these positions (mm) and sleep flags.
     fn tapped(ticks: &[(f64, bool)]) -> Vec<RecorderRow> {
         let (mut tap, mut tapped) = TickRecorder::new();
         let mut keys = Keys::at_rest();
@@ -303,7 +302,7 @@ mod tests {
         assert_eq!(ticks, 5, "each tick is told of");
     }
 
-    /// Rows of key 5 that wait: tick, revision of the model shown, whether it is followed.
+    /// Waiting rows of key 5: tick, revision of the shown model, `true` if followed.
     fn rows_of_5(tapped: &mut TickRecorderRings) -> Vec<(u64, u32, bool)> {
         let rows = std::iter::from_fn(|| tapped.rows.pop().ok());
         let row = |row| match row {

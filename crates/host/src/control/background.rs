@@ -76,14 +76,13 @@ mod tests {
 
     use super::*;
 
-    /// Waits until `n` loads are under way or wait.
+    /// Waits until `n` loads run or wait.
     fn wait_for(work: &BackgroundWork, n: usize) {
         while work.loads().len() < n {
             std::thread::yield_now();
         }
     }
 
-    /// Polls a flag as a derivation does.
     fn until_cancelled(flag: &Arc<AtomicBool>) {
         while !flag.load(Ordering::Acquire) {
             std::thread::yield_now();
@@ -123,7 +122,7 @@ mod tests {
             wait_for(&work, 1);
             let second = scope.spawn(|| work.load(Some(2), |_| unreachable!("it was cancelled")));
             wait_for(&work, 2);
-            // The one that waits, then the one that is under way.
+            // First the waiting load, then the running one.
             work.cancel(2);
             work.cancel(1);
             assert_eq!(first.join().unwrap(), Err(CANCELLED.to_owned()));

@@ -133,7 +133,6 @@ mod tests {
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
 
-    /// Returns one line with one board, in ticks of a millisecond.
     fn watch() -> (Producer<LinkSample>, LinksWatch) {
         let (told, seen) = RingBuffer::new(16);
         let line = Line { name: "can0".into(), planned: 0.25, seen: f64::NAN, ..Line::default() };
@@ -183,7 +182,7 @@ mod tests {
         told.push((2_000, line(WireState::Active, Some(meter)))).unwrap();
         watch.look().unwrap();
         let links = watch.links();
-        // 104.8 us each, as the planner's tables have it.
+        // 104.8 us each, by the planner's tables.
         assert!((links.lines[0].seen - 0.1048).abs() < 1e-6, "{links:?}");
         assert_eq!(watch.look(), None, "nothing was seen");
     }
@@ -210,7 +209,7 @@ mod tests {
             "{told:?}"
         );
         look(board(ArmState::Armed));
-        // It tripped and was armed again between two looks.
+        // It tripped and was rearmed between two polls.
         let again = armed(ArmState::Armed, [None; MOST_KEYS], 3);
         let text = "board 3 on can0: armed; it had taken its forces away, and was armed anew";
         assert_eq!(look(again).1, [text]);

@@ -570,7 +570,7 @@ mod tests {
     use crate::adapters::tick_recorder::TickRecorder;
     use crate::observe::Pulses;
 
-    /// A window on key 5, with a flag that opens it and the messages that it got.
+    /// A window on key 5: a flag that opens it, and the received messages.
     #[derive(Clone, Default)]
     struct Window(Arc<Mutex<(bool, Vec<Update>)>>);
 
@@ -623,7 +623,7 @@ mod tests {
         }
         let messages = window.0.lock().expect("nobody panics with it").1.clone();
         let [Update::Block(block)] = messages.as_slice() else { panic!("{messages:?}") };
-        // The first tick after the key is followed.
+        // First tick after the key is followed.
         assert_eq!((block.key, block.tick, block.position.as_slice()), (5, 41, &[0.004][..]));
     }
 }

@@ -246,7 +246,7 @@ mod tests {
         fn reset(&mut self, _sample: &KeySample) {}
     }
 
-    /// A slot whose lane was late in these ticks, after tick 38 told what was `unrun`.
+    /// A slot whose lane was late in these ticks, after tick 38 reported `unrun`.
     fn caught_up(late: &[u64], unrun: u32) -> ReplaySlot {
         let mut slot = ReplaySlot {
             slot: Slot::new(3, PanicGuard::new(Box::new(Still))),
@@ -268,7 +268,6 @@ mod tests {
 
     #[test]
     fn late_ticks_are_run_as_they_were_and_one_that_is_too_long_ago_is_unknown() {
-        // Ticks 7 and 36 were run, and 9 and 37 were not.
         let slot = caught_up(&[7, 9, 36, 37], !(1 << 31 | 1 << 2));
         assert_eq!(slot.slot.ran_before(38), 1 << 31 | 1 << 2 | 1);
         assert!(!slot.is_unknown);

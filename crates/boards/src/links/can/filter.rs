@@ -40,7 +40,7 @@ mod tests {
     use firmware_protocol::can::identifier;
     use firmware_protocol::key::BoardId;
 
-    /// Whether `side` hears a frame with these two first bytes.
+    /// Returns `true` if `side` receives a frame with these two first bytes.
     fn hears(side: BusSide, head: [u8; 2]) -> bool {
         let id = u32::from(identifier(&head).unwrap());
         filters(side).iter().any(|(wanted, mask)| id & mask == wanted & mask)
@@ -49,7 +49,7 @@ mod tests {
     #[test]
     fn the_host_hears_boards_and_a_board_hears_what_is_for_it() {
         let board = |number| BusSide::Board(BoardId::new(number).unwrap());
-        // Kind and board in byte 0, and who hears it: the host, board 3, board 4.
+        // Kind and board in byte 0; receivers: host, board 3, board 4.
         let cases = [
             ([0x0F, 1], [false, true, true]),
             ([0x0F, 3], [false, true, true]),

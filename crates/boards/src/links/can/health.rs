@@ -62,7 +62,7 @@ const fn controller_state(byte: u8) -> Option<WireState> {
 mod tests {
     use super::*;
 
-    /// A report as `cansend` writes it, after the flag of error frames.
+    /// A report in the notation of `cansend`, after the error flag.
     fn report(class: u32, data: u64) -> ControllerReport {
         ControllerReport { class, data: data.to_be_bytes() }
     }

@@ -82,7 +82,7 @@ fn timing(value: &Value) -> Option<BitTiming> {
 mod tests {
     use super::*;
 
-    /// A controller with CAN FD on, a virtual interface, and one that is no CAN.
+    /// A controller with CAN FD on, a virtual interface, and one without CAN.
     const IP: &str = r#"[
         {"ifindex":1,"ifname":"lo","flags":["LOOPBACK","UP","LOWER_UP"],"mtu":65536,
          "qdisc":"noqueue","operstate":"UNKNOWN","link_type":"loopback","txqlen":1000},

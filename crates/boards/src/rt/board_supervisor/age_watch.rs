@@ -61,7 +61,7 @@ impl AgeWatch {
 mod tests {
     use super::*;
 
-    /// Whether a board may have its whole force, some of it, or none.
+    /// Share of its force that a board may have.
     fn part(watch: &AgeWatch) -> &'static str {
         match watch.share() {
             share if share <= 0.0 => "none",

@@ -336,7 +336,7 @@ mod tests {
     use crate::rt::terms::Terms;
     use crate::topology::BoardPlace;
 
-    /// Where the bring-up of a board of two keys leads after its hello, if these are homed.
+    /// State after the hello of a board of two keys with these `homed`.
     fn after(features: u16, homed: u16) -> ArmState {
         let (line, n_keys) = (0, 2);
         let board = BoardId::new(3).unwrap();

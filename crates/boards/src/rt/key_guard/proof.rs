@@ -247,9 +247,8 @@ mod tests {
 
     const H: f64 = 1e-3;
 
-    /// Proves the motor of a simulated key that renders `gain` of its force and whose sensor reads
-    /// `scale` times its way, while `hand` (N, down) presses; returns the proof, how long it took
-    /// (s), and the largest push (N).
+    /// Proves the motor of a simulated key that renders `gain` of its force, its sensor scaled by
+    /// `scale`, while `hand` (N, down) presses; returns proof, duration (s), largest push (N).
     fn prove(gain: f64, scale: f64, hand: impl Fn(f64) -> f64) -> (MotorProof, f64, f64) {
         let mut rig = KeyRig::new(RigParameters::default());
         let (mut proof, mut force, mut most) = (MotorProof::begin(), 0.0, 0.0_f64);

@@ -61,7 +61,7 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// How often within a second a sine of `hz` (1/s) and `newtons` counts as shaking.
+    /// Counts how often in a second a sine of `hz` (1/s) and `newtons` counts as shaking.
     fn shakes(hz: f64, newtons: f64) -> usize {
         let mut watch = ShakeWatch::default();
         let force = |n: u32| newtons * (TAU * hz * f64::from(n) * 1e-3).sin();

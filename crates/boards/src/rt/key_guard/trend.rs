@@ -113,7 +113,7 @@ mod tests {
     const H: f64 = 1e-3;
     const KEY: (f64, f64) = (1e-6, 10.16e-3);
 
-    /// What readings (mm) that follow on each other every millisecond are.
+    /// Verdicts on readings (mm), one per millisecond.
     fn read(millimetres: &[f64]) -> Vec<TrendVerdict> {
         let mut trend = KeyTrend::default();
         let elapsed = std::iter::once(None).chain(std::iter::repeat(Some(H)));

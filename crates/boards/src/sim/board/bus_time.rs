@@ -68,7 +68,7 @@ mod tests {
         let mut time = BusTime::default();
         assert_eq!(time.age_us(5_000, 0), None);
         time.hear(1_000_000, 70_000);
-        // At 1 012 000 the bus shows 82 000, of which 16 bits are 16 464.
+        // At 1 012 000 the bus shows 82 000; its low 16 bits are 16 464.
         assert_eq!(time.age_us(1_012_000, 16_464), Some(0));
         assert_eq!(time.age_us(1_012_000, 16_464 - 9_000), Some(9_000));
         assert_eq!(time.age_us(1_012_000, 16_464 + 1_000), Some(0));

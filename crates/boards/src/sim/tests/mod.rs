@@ -1,4 +1,4 @@
-//! One simulated board on a wire in memory, and what it does with what it is told.
+//! One simulated board on a wire in memory.
 
 use crate::links::Link as _;
 use crate::links::loopback::Loopback;
@@ -23,10 +23,10 @@ use super::keybed::SimulatedKeybed;
 
 /// Length of a tick (us).
 const TICK_US: u64 = 1_000;
-/// What it is given (mN): keys are held on their felts.
+/// Force that holds keys on their felts (mN).
 const DOWN: i32 = -2_000;
 
-/// A board, the host's end of its wire, and the tick that has come.
+/// A board, the host's end of its wire, and the current tick.
 struct Bench {
     board: SimulatedBoard,
     wire: Loopback,
@@ -38,7 +38,7 @@ struct Bench {
 }
 
 impl Bench {
-    /// A board that sends samples and renders forces.
+    /// Starts a board that sends samples and renders forces.
     fn new(number: u8) -> Self {
         let id = BoardId::new(number).unwrap();
         let make = BoardMake::standard(id, TICK_US as f64 * 1e-6, RigParameters::default());
@@ -54,7 +54,7 @@ impl Bench {
         self.wire.host_end().try_send(frame).unwrap();
     }
 
-    /// Lets `ticks` pass, in one go, and reads what the board says.
+    /// Advances by `ticks` in one go and receives the board's frames.
     fn live(&mut self, ticks: u64) {
         self.tick += ticks;
         self.board.advance(self.tick, &mut self.wire.board_end());
@@ -87,7 +87,7 @@ impl Bench {
         self.tell(&bytes[..len]);
     }
 
-    /// Asks, and returns what is answered a tick later.
+    /// Sends a request and returns the answer of the next tick.
     fn ask<R: Record, A: Record>(&mut self, operation: Operation, record: &R) -> Result<A, Status> {
         self.request(operation, record);
         self.live(1);
@@ -109,7 +109,6 @@ impl Bench {
         self.ask::<_, Hello>(Operation::Hello, &Nothing).unwrap().safe_reason
     }
 
-    /// Answers the newest samples with the same force on all keys.
     fn answer(&mut self) {
         let header = self.newest.unwrap().header;
         let forces = PerKey::collect([Millinewtons::saturating(DOWN); 11]);
@@ -119,7 +118,6 @@ impl Bench {
         self.tell(&bytes[..len]);
     }
 
-    /// Holds the keys down for a while.
     fn hold(&mut self) {
         for _ in 0..100 {
             self.answer();
@@ -128,7 +126,7 @@ impl Bench {
         assert!(1.9 < self.force(0), "{} N", self.force(0));
     }
 
-    /// What the host's clock shows, which began long before (us).
+    /// Time on the host's clock, which started long before (us).
     fn host_us(&self) -> u32 {
         u32::try_from(self.tick * TICK_US + 7_000_123).unwrap()
     }
@@ -147,7 +145,7 @@ impl Bench {
         self.tell(&frame.encode());
     }
 
-    /// Lets ticks pass one by one, with forces of these groups in each.
+    /// Advances tick by tick, with forces of these groups in each.
     fn live_with(&mut self, ticks: u64, groups: &[u8]) {
         for _ in 0..ticks {
             let host_us = self.host_us();
@@ -188,7 +186,7 @@ fn what_is_heard_after_a_freeze_holds_from_its_beginning() {
         let mut bench = Bench::new(0);
         bench.hold();
         take_away(&mut bench);
-        // The fading and the motor's lag are over before the forces would have expired.
+        // Fading and the motor's lag end before the forces would have expired.
         bench.live(18);
         assert!(bench.force(0) < 1e-6, "{} N", bench.force(0));
     }
@@ -200,7 +198,7 @@ fn forces_for_all_boards_are_no_younger_for_a_freeze() {
     bench.arm(ForcePacking::Multicast16).unwrap();
     bench.live_with(100, &[0]);
     assert!(1.9 < bench.force(0));
-    // They come at the end of a freeze, and last for 20 ms as if they had come at its beginning.
+    // Forces that arrive at the end of a freeze last 20 ms, as if they came at its beginning.
     bench.tick += 59;
     bench.live_with(1, &[0]);
     assert!(bench.board.is_safe() && bench.force(0) < 1e-6, "{} N", bench.force(0));
@@ -210,7 +208,7 @@ fn forces_for_all_boards_are_no_younger_for_a_freeze() {
 fn a_group_that_is_lost_is_not_kept_alive_by_another() {
     let mut bench = Bench::new(2);
     bench.arm(ForcePacking::Multicast16).unwrap();
-    // Keys 22 to 29 are of the first group, 30 to 32 of the second.
+    // Keys 22 to 29 are in the first group, 30 to 32 in the second.
     bench.live_with(50, &[1]);
     assert!(!bench.board.is_safe() && bench.force(10) <= 0.0, "half a board renders nothing");
     bench.live_with(100, &[0, 1]);
@@ -220,7 +218,7 @@ fn a_group_that_is_lost_is_not_kept_alive_by_another() {
     bench.live_with(40, &[1]);
     assert_eq!(bench.board.safe_reason(), safe_reason::SILENCE);
     assert!(bench.force(0) < 1e-6 && bench.force(10) < 1e-6, "{} N", bench.force(0));
-    // Armed again it waits for both.
+    // Rearmed, the board waits for both groups.
     bench.arm(ForcePacking::Multicast16).unwrap();
     bench.live_with(50, &[0]);
     assert!(!bench.board.is_safe() && bench.force(0) < 1e-6);

@@ -16,13 +16,12 @@ use scheduler::voice::{Voice, VoiceOutput};
 
 use crate::voice::builder::VoiceBuilder;
 
-/// Writes the ball's description to `folder`, with `changed` behind it.
+/// Writes the ball's description to `folder`, followed by `changed`.
 fn write_ball(folder: &Path, changed: &str) {
     let text = description("bouncing-ball").unwrap();
     fs::write(folder.join("my-ball.toml"), format!("{text}{changed}")).unwrap();
 }
 
-/// A scene beside the description of its model.
 fn scene(library: &Library, folder: &Path) -> Scene {
     write_ball(folder, "");
     let path = folder.join("scene.toml");
@@ -101,7 +100,7 @@ fn a_voice_of_another_version_continues_where_the_old_one_is() {
             let snapshot = snapshot(voice.as_ref());
             *seen = [snapshot.state[0], snapshot.input[1]];
         }
-        // The ball's height, and how fast the key is known to move.
+        // The ball's height, and the estimated key speed.
         let near = |index: usize| (seen[0][index] - seen[1][index]).abs() < 1e-12;
         assert!(near(0) && near(1), "tick {tick}: {seen:?}");
     }
@@ -111,7 +110,6 @@ fn a_voice_of_another_version_continues_where_the_old_one_is() {
     assert!(!other.take_over(voices[0].as_ref()), "another model has no such mode: it is reset");
 }
 
-/// Functions that count how often the rest is computed.
 struct CountedRest {
     functions: SharedFunctions,
     rest: FunctionId,
@@ -131,7 +129,7 @@ impl Functions for CountedRest {
 fn a_voice_that_takes_over_computes_no_rest_and_keeps_that_of_new_entries() {
     let (library, folder) = (Library::default(), tempfile::tempdir().unwrap());
     let scene = scene(&library, folder.path());
-    // A ball that can turn, and is turned by half a radian at rest.
+    // A ball that can turn and is turned by half a radian at rest.
     let text = description("bouncing-ball").unwrap();
     let text = text.replace(
         "\n[speeds]",

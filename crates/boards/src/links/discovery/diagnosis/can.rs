@@ -172,7 +172,6 @@ fn order(can: &CanInterface, kernel: Option<KernelVersion>) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// A controller that is set up well.
     fn good() -> CanInterface {
         CanInterface {
             name: "can0".to_owned(),
@@ -199,7 +198,7 @@ mod tests {
 
     const NEW: Option<KernelVersion> = Some(KernelVersion { major: 6, minor: 12 });
 
-    /// Asserts that one thing is found, and said with these words.
+    /// Asserts one finding with these words.
     #[track_caller]
     fn check(can: &CanInterface, kernel: Option<KernelVersion>, words: &[&str]) {
         let [sentence] = <[String; 1]>::try_from(advice(can, kernel)).unwrap();
@@ -208,7 +207,6 @@ mod tests {
         }
     }
 
-    /// The good one with another link.
     fn with(change: impl FnOnce(&mut CanLink)) -> CanInterface {
         let mut can = good();
         can.link.as_mut().map(change).unwrap();

@@ -105,7 +105,6 @@ mod tests {
     use crate::links::discovery::testing::Root;
 
     const GOVERNOR: &str = "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor";
-    /// A machine: whether it is real-time, the throttle, the governor, locked memory, priority.
     fn machine(test: &str, [real_time, throttle, governor, locked, priority]: [&str; 5]) -> Root {
         let limits = format!(
             "Max locked memory  {locked}  unlimited  bytes\nMax realtime priority  {priority}  99"

@@ -96,21 +96,19 @@ pub(super) mod tests {
 
     const BUS: &str = "devices/pci0/usb1";
 
-    /// Adds a hub or device to a tree of USB: speed (Mbit/s) and `bDeviceProtocol`.
+    /// Adds a hub or device to a USB tree: speed (Mbit/s) and `bDeviceProtocol`.
     fn with_usb(root: Root, path: &str, speed: &str, protocol: &str) -> Root {
         let files = [("idVendor", "1209"), ("speed", speed), ("bDeviceProtocol", protocol)];
         root.with_all(&format!("{BUS}{path}"), &files)
     }
 
-    /// Adds a serial port to the device at `path`.
     fn with_tty(root: Root, path: &str, tty: &str) -> Root {
         let interface = format!("{BUS}{path}/interface");
         root.with(&format!("{interface}/bInterfaceNumber"), "00")
             .with_link(&format!("class/tty/{tty}/device"), &interface)
     }
 
-    /// Makes two full-speed devices behind a hub of this protocol, and one on a port of its
-    /// own.
+    /// Makes two full-speed devices behind a hub of this protocol and one on its own port.
     pub(in super::super) fn tree(test: &str, protocol: &str) -> Root {
         let mut root = with_usb(Root::new(test), "", "480", "01");
         root = with_usb(root, "/1-1", "480", protocol);

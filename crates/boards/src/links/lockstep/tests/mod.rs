@@ -4,9 +4,8 @@ use super::*;
 
 const STEP: Duration = Duration::from_micros(500);
 
-/// A program in lockstep in Python, which behaves as `how` says, and what it reports at its end.
-///
-/// Returns nothing without Python, and prints it.
+/// Starts a Python program in lockstep that behaves as `how` says; returns its report file too.
+/// Prints a note and returns `None` without Python.
 fn start(how: &str) -> Option<(Lockstep, HostClock, PathBuf)> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/links/lockstep/program.py");
     let report = std::env::temp_dir().join(format!("letoff-{}-{how}", std::process::id()));
@@ -37,7 +36,7 @@ fn an_exchange_is_made_when_time_has_passed_and_the_last_bytes_arrive_too() {
     drop(link);
     let told = std::fs::read_to_string(&report).unwrap();
     std::fs::remove_file(report).unwrap();
-    // Two bytes of checksum, one of stuffing and the closing zero come to each frame.
+    // Each frame adds two bytes of checksum, one of stuffing and the closing zero.
     assert_eq!(told, format!("2000 us, {} bytes", 3 * 4 + 3 + 3 + 5));
 }
 
@@ -45,7 +44,7 @@ fn an_exchange_is_made_when_time_has_passed_and_the_last_bytes_arrive_too() {
 fn check_fault(how: &str, words: &str) {
     let Some((mut link, clock, _report)) = start(how) else { return };
     if how == "silent" {
-        // It reads and never answers, so that waiting changes nothing.
+        // The program reads and never answers, so waiting changes nothing.
         link.program.patience_s = 0;
     }
     let mut buffer = [0; 8];

@@ -5,11 +5,11 @@ use super::super::bus::ControllerReport;
 use super::*;
 use crate::links::WireState;
 
-/// A bus in memory: what is written is read by the same port, after the reports.
+/// A bus in memory whose frames the sending port reads back, after the reports.
 #[derive(Default)]
 struct Memory {
     arrivals: RefCell<VecDeque<BusRead>>,
-    /// Frames that it takes before it is full.
+    /// Frames that it accepts before it is full.
     room: usize,
 }
 
@@ -29,7 +29,7 @@ fn port(mode: CanMode) -> CanPort<Memory> {
     CanPort::new(Memory { room: 1_000, ..Memory::default() }, mode)
 }
 
-/// Samples of a board, with its number all over, as long as `len`.
+/// Samples of a board, filled with its number.
 fn samples(board: u8, len: usize) -> Vec<u8> {
     let mut frame = vec![board + 1; len];
     frame[0] = 3 << 5 | board;
@@ -41,7 +41,7 @@ fn recv(port: &mut CanPort<Memory>) -> Result<Option<Vec<u8>>, RecvError> {
     Ok(port.try_recv(&mut buffer)?.map(|len| buffer[..len].to_vec()))
 }
 
-/// What was written to the bus, as identifiers and bytes.
+/// Identifiers and bytes that were written to the bus.
 fn written(port: &CanPort<Memory>) -> Vec<(u16, Vec<u8>)> {
     let arrivals = port.bus.arrivals.borrow();
     let data = |arrival: &BusRead| match arrival {
@@ -100,7 +100,7 @@ fn a_lost_piece_costs_its_frame_and_not_those_of_other_boards() {
     }
     port.bus.arrivals.borrow_mut().remove(1);
     assert_eq!(recv(&mut port), Err(RecvError::Corrupt));
-    // Each piece after the lost one is told, up to the end of the frame.
+    // Each piece after the lost one is reported, up to the end of the frame.
     assert_eq!(recv(&mut port), Err(RecvError::Corrupt));
     assert_eq!(recv(&mut port), Ok(Some(samples(2, 26))));
     assert_eq!(recv(&mut port), Ok(Some(samples(1, 26))));
@@ -151,7 +151,7 @@ fn a_full_bus_takes_a_frame_whole_or_not_at_all() {
         assert_eq!(port.try_send(&samples(1, 26)), Err(SendError::Full), "{mode:?}");
         assert_eq!((port.dropped(), written(&port).len()), (1, 0));
     }
-    // Two of four pieces go; the rest before the next frame, which is newer than the dropped.
+    // Two of four pieces are sent; the rest precedes the next frame, newer than the dropped one.
     let mut port = port(CanMode::Classic);
     port.bus.room = 2;
     assert_eq!(port.try_send(&samples(1, 26)), Ok(()));
