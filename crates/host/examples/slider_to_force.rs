@@ -1,6 +1,5 @@
-//! How long it takes from a slider to the key: a client of the stream sets a stiffness of a key
-//! that a finger holds down, and the first tick whose force is another one is looked for in
-//! what the host tells.
+//! Measures the time from a slider to the key: a client of the stream sets the stiffness of a key
+//! that a finger holds down, and waits for the first tick with another force.
 //!
 //! `cargo run --release -p host --example slider_to_force`
 #![expect(clippy::expect_used, clippy::print_stdout, reason = "a measurement")]
@@ -19,13 +18,11 @@ use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, ServerSettings, StreamServer, serve};
 use telemetry::{Arrival, KeyBlock, Request, Source as _, Topic, Update};
 
-/// C4.
 const KEY: u8 = 39;
-/// Times that the slider is moved.
 const MOVES: u32 = 200;
-/// What a finger holds the key down with (N).
+/// Force of the finger (N).
 const WEIGHT: f64 = 3.0;
-/// Longer than anything here takes.
+/// Limit of each wait.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 fn main() {
@@ -65,7 +62,7 @@ fn main() {
     });
 }
 
-/// Moves the slider to and fro (us).
+/// Moves the slider to and fro; returns the times (us).
 fn measure(client: &mut Client) -> Histogram<u64> {
     client.follow(&BTreeSet::from([Topic::Catalogue, Topic::Voices, Topic::Block(KEY)]));
     let (began, period) = wait(client, |update| {
@@ -80,7 +77,7 @@ fn measure(client: &mut Client) -> Histogram<u64> {
     let mut held = 0.0;
     let mut times = Histogram::new(3).expect("a histogram");
     for n in 0..MOVES {
-        // As a hand does, not in step with the ticks.
+        // Out of step with the ticks, like a hand.
         std::thread::sleep(Duration::from_micros(40_000 + u64::from(n) * 37 % 1_000));
         let asked = SystemTime::now().duration_since(UNIX_EPOCH).expect("a clock").as_nanos();
         let value = 20_000.0 + f64::from(n % 2) * 4_000.0;
@@ -93,7 +90,7 @@ fn measure(client: &mut Client) -> Histogram<u64> {
     times
 }
 
-/// The first tick of the next voice whose force is not the one before, `held`.
+/// Returns the first tick of the next voice with a force other than `held`.
 fn first_other_force(client: &mut Client, held: &mut f64) -> u64 {
     let mut voice = u32::MAX;
     wait(client, |update| {
@@ -107,8 +104,7 @@ fn first_other_force(client: &mut Client, held: &mut f64) -> u64 {
     })
 }
 
-/// The tick in which the voice of this revision first asks for another force than `held`; else
-/// that becomes the last one.
+/// Returns the first tick of this or a later voice with a changed force; updates `held`.
 fn changed(block: &KeyBlock, voice: u32, held: &mut f64) -> Option<u64> {
     for ((force, after), revision) in block.sent.iter().zip(&block.after).zip(&block.revision) {
         let is_other = force.to_bits() != held.to_bits();
@@ -120,7 +116,6 @@ fn changed(block: &KeyBlock, voice: u32, held: &mut f64) -> Option<u64> {
     None
 }
 
-/// Waits for what `wanted` finds.
 fn wait<T>(client: &mut Client, mut wanted: impl FnMut(Update) -> Option<T>) -> T {
     let end = Instant::now() + PATIENCE;
     loop {

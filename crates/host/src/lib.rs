@@ -1,18 +1,18 @@
-//! The keyboard host service: a checked scene becomes a run that plays, is observed and replayed.
+//! The keyboard host service: a checked scene becomes a run that is played, observed and replayed.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`session`] | one run from its scene to its report |
-//! | [`control`] | requests of commands and of the stream, on their way to a running voice |
-//! | [`adapters`] | what plugs into the scheduler's ports: strikes, rows of telemetry, links |
-//! | [`observe`] | from rings to telemetry messages, to recordings and to the stream |
-//! | [`midi_thread`] | the thread that sends MIDI |
-//! | [`guardian`] | the process that holds the MIDI port and the notes, and outlives the host |
-//! | [`replay`] | a recording run again and compared |
-//! | [`report`] | what a run did, for people and as JSON |
-//! | [`simulated`] | simulated boards on wires of their own |
+//! | [`control`] | requests of commands and the stream, on their path to a running voice |
+//! | [`adapters`] | implementations of the scheduler's ports: strikes, telemetry rows, links |
+//! | [`observe`] | path of the rings' rows to telemetry messages, recordings and the stream |
+//! | [`midi_thread`] | thread that sends MIDI |
+//! | [`guardian`] | process that holds the MIDI port and the notes, and outlives the host |
+//! | [`replay`] | a recording, run again and compared |
+//! | [`report`] | summary of a run, for people and as JSON |
+//! | [`simulated`] | simulated boards on their own wires |
 //!
-//! Not here: equations, wire formats, what a strike means in MIDI, what people type.
+//! Not here: equations, wire formats, the MIDI mapping of strikes, command lines.
 
 pub mod adapters;
 pub mod connected_boards;

@@ -1,4 +1,4 @@
-//! From key events to MIDI messages, on a thread of their own.
+//! The thread that turns key events into MIDI messages.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -15,51 +15,48 @@ use engine::realtime::clock;
 use engine::realtime::thread::{DEFAULT_PRIORITY, ThreadPlan};
 use engine::realtime::wake_fd::WakeFd;
 
-/// Longest wait without being woken: ports that vanished are looked for this often.
+/// Longest wait without a wake-up, and so the interval of the search for vanished ports.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// The priority of MIDI: below the tick, above the rest, since a late force is worse than a late
-/// note.
+/// Priority of MIDI: below the tick, above the rest; a late force is worse than a late note.
 pub(crate) const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
-/// The way in which a run ends.
+/// End of a run, as its notes are concerned.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NoteEnding {
-    /// Its time is over, or a signal ended it: what sounds decays as it would.
+    /// The time is over or a signal arrived: sounding notes decay normally.
     Regular,
     /// A client requested a stop: the receiver falls silent at once.
     Emergency,
 }
 
-/// An output of any kind.
+/// A boxed output.
 pub type AnyOutput = Box<dyn Output + Send>;
 
-/// Takes key events out of the ring and plays them.
+/// Plays the key events of the ring.
 pub struct MidiDispatcher {
     events: Consumer<NoteEvent>,
-    /// The events that came out of the ring and are not played yet.
+    /// Events out of the ring that are not played yet.
     schedule: Schedule,
     player: Player<AnyOutput>,
     curve: VelocityCurve,
-    /// What compares strikes with a performance, if one is played.
+    /// Compares strikes with a performance, if one is played.
     assessor: Option<Assessor>,
-    /// The first error of the output; later ones are counted.
+    /// First error of the output; later ones are counted.
     trouble: Option<String>,
     n_troubles: u64,
-    /// The counters of the tick, and the number of ticks at the last look.
+    /// Counters of the tick, and the number of ticks at the last poll.
     ticks: Option<(Arc<LiveCounters>, u64)>,
 }
 
-/// The outcome of a dispatcher that is closed.
+/// Outcome of a closed dispatcher.
 #[derive(Debug)]
 pub struct PlaybackSummary {
-    /// What compared strikes with a performance, if one was played.
     pub assessor: Option<Assessor>,
-    /// The first error of the output.
     pub trouble: Option<String>,
-    /// The number of messages that could not be sent.
+    /// Number of messages that could not be sent.
     pub n_troubles: u64,
-    /// Strikes: handed over − happened (ns), in real time.
+    /// Time from strike to hand-over (ns), in real time.
     pub handover: Option<Histogram<u64>>,
 }
 
@@ -70,7 +67,6 @@ impl std::fmt::Debug for MidiDispatcher {
 }
 
 impl MidiDispatcher {
-    /// Returns a dispatcher between `events` and `output`.
     pub fn new(events: Consumer<NoteEvent>, output: AnyOutput, curve: VelocityCurve) -> Self {
         let player = Player::new(output, curve);
         let schedule = Schedule::default();
@@ -86,23 +82,23 @@ impl MidiDispatcher {
         }
     }
 
-    /// Lets `assessor` hear every strike.
+    /// Reports every strike to `assessor`.
     pub fn assess(&mut self, assessor: Assessor) {
         self.assessor = Some(assessor);
     }
 
-    /// Gives the output no sign of life while the tick of `counters` stands still: what it holds
-    /// would not be ended by anybody else.
+    /// Sends the output no sign of life while the tick of `counters` stands still, so that the
+    /// guardian ends its notes.
     pub fn live_while_ticks_go_on(&mut self, counters: Arc<LiveCounters>) {
         self.ticks = Some((counters, 0));
     }
 
-    /// Sends to `output` from now on; before anything is played.
+    /// Replaces the output, before anything is played.
     pub fn send_to(&mut self, output: AnyOutput) {
         self.player = Player::new(output, self.curve);
     }
 
-    /// Plays all that is in the ring, at once, in order of time.
+    /// Plays the whole ring at once, in order of time.
     pub fn drain(&mut self) {
         self.collect();
         while let Some(event) = self.schedule.pop() {
@@ -110,15 +106,14 @@ impl MidiDispatcher {
         }
     }
 
-    /// Puts all that is in the ring in order of time.
+    /// Sorts the content of the ring by time.
     fn collect(&mut self) {
         while let Ok(event) = self.events.pop() {
             self.schedule.insert(event);
         }
     }
 
-    /// Plays from the ring whenever `wake` is rung, each event at its time after `start`,
-    /// until `stop`.
+    /// Waits for `wake` and plays each event at its time after `start`, until `stop`.
     pub fn attend(
         &mut self,
         wake: &WakeFd,
@@ -137,8 +132,7 @@ impl MidiDispatcher {
         }
     }
 
-    /// Looks after the player and its output at time `now` (s), if a tick was run since the last
-    /// look.
+    /// Polls the player and its output at time `now` (s), if a tick ran since the last poll.
     fn look(&mut self, now: f64) {
         if let Some((counters, before)) = &mut self.ticks {
             let ticks = counters.ticks.load(Ordering::Relaxed);
@@ -147,19 +141,19 @@ impl MidiDispatcher {
             }
         }
         if let Err(away) = self.player.poll(now) {
-            // Nothing was lost by looking.
+            // Polling loses no message.
             self.trouble.get_or_insert_with(|| away.to_string());
         }
     }
 
-    /// Plays what is in the ring, each event at its time after `start`, the earliest first.
+    /// Plays the due events of the ring, the earliest first.
     fn play_due(&mut self, start: Nanos, handover: &mut Histogram<u64>) {
         self.collect();
         while let Some(first) = self.schedule.first() {
             let due = start.after(clock::from_seconds(first.at));
             if clock::monotonic() < due {
-                // The tick sees up to one period ahead: wait for the event's own time, and look
-                // whether something earlier has come meanwhile.
+                // The tick sees up to one period ahead: wait for the event's own time, and poll
+                // the ring for earlier events that arrived meanwhile.
                 clock::sleep_until(due);
                 self.collect();
                 continue;
@@ -172,7 +166,7 @@ impl MidiDispatcher {
         }
     }
 
-    /// Ends all notes and the output, and says what came of them.
+    /// Ends all notes and the output; returns the summary.
     pub fn close(
         mut self,
         ending: NoteEnding,
@@ -187,7 +181,7 @@ impl MidiDispatcher {
         }
     }
 
-    /// Ends all notes and finishes the output, which takes no more.
+    /// Ends all notes and finishes the output, which accepts no more.
     pub fn end_notes(&mut self, ending: NoteEnding) {
         let silenced = match ending {
             NoteEnding::Regular => self.player.silence(),
@@ -227,10 +221,7 @@ pub struct MidiThread {
 }
 
 impl MidiThread {
-    /// Starts attending; event times count from `start`.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
+    /// Starts the thread; event times count from `start`.
     pub fn start(
         mut dispatcher: Box<MidiDispatcher>,
         plan: &ThreadPlan,
@@ -253,7 +244,7 @@ impl MidiThread {
         Ok(Self { stop, emergency, wake, thread })
     }
 
-    /// Plays what is left, ends all notes, and returns what was seen.
+    /// Plays the remaining events and ends all notes.
     ///
     /// # Errors
     /// If the thread panicked; its notes were ended while it unwound.

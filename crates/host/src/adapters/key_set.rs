@@ -1,23 +1,20 @@
-//! A set of keys that one thread writes and others read, without waiting.
-
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// A set of keys in atomics: bit n of both words together is key n.
+/// A set of keys in atomics, for one writer: bit n of both words together is key n.
 ///
 /// # Real-time
-/// Two loads or stores; the words of one set may be of two ticks.
+/// Two loads or stores; the two words of a set may be of two ticks.
 #[derive(Debug, Default)]
 pub struct AtomicKeySet([AtomicU64; 2]);
 
 impl AtomicKeySet {
-    /// Makes `keys` the set: bit n is key n.
+    /// Replaces the set; bit n is key n.
     pub fn store(&self, keys: u128) {
         for (word, bits) in self.0.iter().zip(words(keys)) {
             word.store(bits, Ordering::Relaxed);
         }
     }
 
-    /// Adds `keys` to the set.
     pub fn insert(&self, keys: u128) {
         for (word, bits) in self.0.iter().zip(words(keys)) {
             if bits != 0 {
@@ -26,20 +23,20 @@ impl AtomicKeySet {
         }
     }
 
-    /// Returns the set: bit n is key n.
+    /// Returns the set; bit n is key n.
     pub fn load(&self) -> u128 {
         let [low, high] = self.0.each_ref().map(|word| u128::from(word.load(Ordering::Relaxed)));
         low | high << 64
     }
 
-    /// Returns the keys of the set in order.
+    /// Returns the keys in order.
     pub fn keys(&self) -> impl Iterator<Item = u8> + use<> {
         let keys = self.load();
         (0..128).filter(move |key| keys >> key & 1 == 1)
     }
 }
 
-/// The lower and the upper bits.
+/// Splits into the lower and the upper bits.
 fn words(keys: u128) -> [u64; 2] {
     const LOW: u128 = u64::MAX as u128;
     [keys & LOW, keys >> 64].map(|bits| u64::try_from(bits).unwrap_or_default())

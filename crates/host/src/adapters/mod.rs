@@ -1,4 +1,4 @@
-//! What plugs into the scheduler's ports.
+//! Implementations of the scheduler's ports.
 
 pub mod key_set;
 pub mod observer;

@@ -13,7 +13,7 @@ use scheduler::voice::{VoiceFault, VoiceOutput};
 use super::key_set::AtomicKeySet;
 use engine::realtime::wake_fd::WakeFd;
 
-/// What anybody may look at while the host runs.
+/// Counters that any thread may read while the host runs.
 #[derive(Debug, Default)]
 pub struct LiveCounters {
     pub ticks: AtomicU64,
@@ -23,13 +23,12 @@ pub struct LiveCounters {
     pub strikes: AtomicU64,
     /// Reset maps applied by all models.
     pub events: AtomicU64,
-    /// Turns that ended in a fault; those of a voice that is muted by then do not count.
+    /// Turns that ended in a fault, except those of a voice muted by then.
     pub faults: AtomicU64,
-    /// Keys whose voices were muted.
     pub muted: AtomicKeySet,
-    /// Key events that found no room in the ring or in their turn.
+    /// Key events without room in the ring or in their turn.
     pub dropped: AtomicU64,
-    /// CPU time of the last ticks, smoothed (ns).
+    /// Smoothed CPU time of the last ticks (ns).
     pub work_ns: AtomicU64,
     pub missed: AtomicU64,
     /// Keys whose voices slept in the last tick.
@@ -43,33 +42,31 @@ pub struct LiveCounters {
     pub event_steps: [AtomicU64; 2],
 }
 
-/// What was left out since there was too much to do.
+/// Work omitted because ticks had too little time.
 #[derive(Debug, Default)]
 pub struct OverloadCounters {
-    /// What is left out now, as [`Simplifications::bits`].
+    /// Current omissions, as [`Simplifications::bits`].
     now: AtomicU8,
-    /// Ticks in which each was left out, in the order of [`Simplification::ALL`].
+    /// Ticks with each omission, in the order of [`Simplification::ALL`].
     ticks: [AtomicU64; Simplification::ALL.len()],
     /// Turns of voices that had to wait.
     waited: AtomicU64,
-    /// Keys whose voices had to wait.
     waiting: AtomicKeySet,
     /// Ticks in which voices waited although there was time.
     pub starved: AtomicU64,
 }
 
 impl OverloadCounters {
-    /// Returns what is left out now.
     pub fn now(&self) -> Simplifications {
         Simplifications::of_bits(self.now.load(Ordering::Relaxed))
     }
 
-    /// Returns the ticks in which each was left out, in the order of [`Simplification::ALL`].
+    /// Returns the ticks with each omission, in the order of [`Simplification::ALL`].
     pub fn ticks(&self) -> [u64; Simplification::ALL.len()] {
         self.ticks.each_ref().map(|ticks| ticks.load(Ordering::Relaxed))
     }
 
-    /// Returns the turns of voices that had to wait, and their keys.
+    /// Returns the number of waiting turns, and their keys.
     pub fn waited(&self) -> (u64, impl Iterator<Item = u8> + use<>) {
         (self.waited.load(Ordering::Relaxed), self.waiting.keys())
     }
@@ -88,7 +85,7 @@ impl OverloadCounters {
     }
 }
 
-/// Publishes what happened in a tick; full is dropped and counted.
+/// Publishes the events of a tick; events without room are dropped and counted.
 #[derive(Debug)]
 pub struct TickPublisher {
     ring: Producer<MidiEvent>,
@@ -97,16 +94,15 @@ pub struct TickPublisher {
     /// Moves of the pedals, in order of time.
     pedals: Box<[PedalMove]>,
     next_pedal: usize,
-    /// Length of a pass (s), if all moves come again after it.
+    /// Length of a pass (s), if the moves repeat.
     repeat: Option<f64>,
-    /// When the present pass began (s).
+    /// Start of the present pass (s).
     pass: f64,
-    /// Tick (s).
+    /// Tick period (s).
     period: f64,
 }
 
 impl TickPublisher {
-    /// Publishes into `ring`, rings `wake`, and counts; also plays `pedals`.
     pub fn new(
         ring: Producer<MidiEvent>,
         wake: Arc<WakeFd>,
@@ -117,22 +113,20 @@ impl TickPublisher {
         Self { ring, wake, counters, pedals, next_pedal: 0, repeat: None, pass: 0.0, period }
     }
 
-    /// Plays `pedals` from now on, which are in order of time.
+    /// Replaces the moves of the pedals, which are in order of time.
     pub fn set_pedals(&mut self, pedals: Box<[PedalMove]>) {
         (self.pedals, self.next_pedal) = (pedals, 0);
     }
 
-    /// Plays all pedals again and again if there is a `length` (s), each pass that much after the
-    /// one before.
+    /// Repeats all moves of the pedals with this period (s), if any.
     pub const fn repeat_pedals_after(&mut self, length: Option<f64>) {
         self.repeat = length;
     }
 
-    /// Hands over what can be heard of a tick: all of it at once, so that the other end of the
-    /// ring can put it in order of time.
+    /// Sends the audible events of a tick at once, so that the receiver can sort them by time.
     ///
     /// # Real-time
-    /// One write of at most all events of a tick and all moves of pedals that are left.
+    /// One write of at most all events of a tick and all remaining moves of pedals.
     fn publish(&mut self, seen: &FinishedTick<'_>, sums: &mut Sums) {
         let period = self.period;
         let end = Moment { tick: seen.tick, theta: 1.0 }.seconds(period);
@@ -167,7 +161,6 @@ impl TickPublisher {
     }
 }
 
-/// Sums over one tick's turns.
 #[derive(Debug, Default)]
 struct Sums {
     heard: usize,
@@ -182,7 +175,7 @@ struct Sums {
     dropped: u64,
     strikes: u64,
     news: bool,
-    /// A bit for each key that is muted, asleep, or had to wait.
+    /// Bit per key that is muted, asleep, or had to wait.
     muted: u128,
     asleep: u128,
     waiting: u128,
@@ -250,7 +243,7 @@ impl TickObserver for TickPublisher {
 const fn heard(event: KeyEvent) -> NoteEventKind {
     match event {
         KeyEvent::Strike { loudness: Loudness { hammer_speed: speed, velocity }, .. } => {
-            // A velocity of 0 is none.
+            // A velocity of 0 means none.
             let velocity = match velocity {
                 Some(velocity) => Velocity::new(velocity),
                 None => None,

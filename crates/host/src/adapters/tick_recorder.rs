@@ -1,4 +1,4 @@
-//! The tick's wait-free end of telemetry: what changed, into rings; full is dropped and counted.
+//! The tick's wait-free end of telemetry: sends changes into rings, drops and counts when full.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -12,43 +12,42 @@ use scheduler::voice::{VoiceFault, VoiceOutput};
 
 use super::key_set::AtomicKeySet;
 
-/// Ticks whose rows may wait: a quarter of a second of all keys at 1 kHz.
+/// Ticks with waiting rows: 0.25 s of all keys at 1 kHz.
 const TICKS: usize = 256;
 
-/// A key in a tick in which anything changed.
+/// A key in a tick with a change.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyRow {
     pub tick: u64,
     pub key: u8,
     pub sample: KeySample,
-    /// The voice's force (N).
+    /// Force of the voice (N).
     pub force: f64,
-    /// The force sent (N).
+    /// Force sent (N).
     pub sent: f64,
-    /// The model when it was run last; nothing if the key is not followed.
+    /// The model at its last run; empty if the key is not followed.
     pub look: ModelSnapshot,
     /// Why the force could not be trusted.
     pub fault: Option<VoiceFault>,
     pub stands: RowFlags,
-    /// In which of the last ticks the voice was run: this one is bit 0.
+    /// Recent ticks in which the voice ran; bit 0 is this tick.
     pub ran: u32,
-    /// Number of key events of the turn.
     pub events: u8,
     /// Units of work after which the turn was cut off; 0 if it was not.
     pub limit: u32,
 }
 
-/// How a turn stands.
+/// State of a turn.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "flags that have nothing to do with each other")]
 pub struct RowFlags {
-    /// The voice was at rest.
+    /// `true` if the voice was at rest.
     pub idle: bool,
-    /// Its lane was not done.
+    /// `true` if its lane was not done.
     pub late: bool,
-    /// Its force is unrelated to the one before.
+    /// `true` if its force is unrelated to the one before.
     pub fresh: bool,
-    /// Its model is shown.
+    /// `true` if its model is shown.
     pub followed: bool,
 }
 
@@ -57,7 +56,7 @@ pub struct RowFlags {
 #[derive(Clone, Copy, Debug)]
 pub enum RecorderRow {
     Key(KeyRow),
-    /// Of a tick, after its keys.
+    /// The tick, after its keys.
     Tick(TickRow),
 }
 
@@ -65,62 +64,60 @@ pub enum RecorderRow {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickRow {
     pub tick: u64,
-    /// Ticks before it that were not run.
+    /// Ticks before it that did not run.
     pub skipped: u64,
-    /// Whether voices could be felt.
+    /// `true` if voices could be felt.
     pub armed: bool,
-    /// What was left out in it.
+    /// Omissions of this tick.
     pub simplified: Simplifications,
 }
 
-/// What happened within a tick.
+/// An event within a tick.
 #[derive(Clone, Copy, Debug)]
 pub struct TickEvent {
-    /// The tick that told of it.
+    /// Tick that reported the event.
     pub tick: u64,
     pub key: u8,
     pub what: EventKind,
 }
 
-/// See [`TickEvent`].
+/// The kind of a [`TickEvent`].
 #[derive(Clone, Copy, Debug)]
 pub enum EventKind {
     /// A change of mode, by the voice of this revision.
     Switch(u32, Switch),
-    /// Something of the note.
+    /// Note event of the key.
     Note(Moment, KeyEvent),
 }
 
-/// The rings' other ends.
+/// The receiving ends of the rings.
 #[derive(Debug)]
 pub struct TickRecorderRings {
     pub rows: Consumer<RecorderRow>,
     pub happenings: Consumer<TickEvent>,
-    /// How much found no room.
+    /// Number of rows and events without room.
     pub dropped: Arc<AtomicU64>,
-    /// The keys to be followed, as the telemetry thread tells the tick; none at first.
+    /// Keys to follow, set by the telemetry thread; none at first.
     pub followed: Arc<AtomicKeySet>,
 }
 
-/// Watches ticks for telemetry.
+/// Records ticks for telemetry.
 #[derive(Debug)]
 pub struct TickRecorder {
     rows: Producer<RecorderRow>,
     happenings: Producer<TickEvent>,
     dropped: Arc<AtomicU64>,
     followed: Arc<AtomicKeySet>,
-    /// Keys of which a row was written since they are followed, while their lane was in time: bit
-    /// n is key n.
+    /// Keys with a row since they are followed, while their lane was in time: bit n is key n.
     seen: u128,
     known: Box<[LastRow; KEYS]>,
 }
 
-/// Position, measured speed, force and force sent in a key's last row, if it lay still under a voice
-/// at rest.
+/// Position, measured speed, force and sent force of a key's last row, if the key lay still
+/// under a voice at rest.
 type LastRow = Option<[u64; 4]>;
 
 impl TickRecorder {
-    /// Returns a recorder and where its rows go.
     pub fn new() -> (Self, TickRecorderRings) {
         let (rows, rows_out) = RingBuffer::new(TICKS * (KEYS + 1));
         let (happenings, happenings_out) = RingBuffer::new(TICKS * KEYS);
@@ -148,7 +145,6 @@ impl TickRecorder {
         }
     }
 
-    /// Tells what happened to `key`, if anything did.
     #[inline]
     fn tell_of(&mut self, key: usize, seen: &FinishedTick<'_>) {
         let (turn, observed) = (&seen.turns[key], &seen.observed[key]);
@@ -165,12 +161,11 @@ impl TickRecorder {
     }
 }
 
-/// A key's number.
 fn number(key: usize) -> u8 {
     u8::try_from(key).unwrap_or(u8::MAX)
 }
 
-/// Returns whether anything of `key` is not as it was in its last row; notes how it is.
+/// Returns `true` if `key` differs from its last row, and updates that.
 #[inline]
 fn is_news(key: usize, seen: &FinishedTick<'_>, known: &mut LastRow) -> bool {
     let (turn, sample) = (&seen.turns[key], &seen.samples[key]);
@@ -204,7 +199,7 @@ fn row(key: usize, seen: &FinishedTick<'_>) -> KeyRow {
     }
 }
 
-/// Whether a key lies still on a fresh sample, and its voice sleeps.
+/// Returns `true` if a key lies still on a fresh sample and its voice sleeps.
 fn is_still(turn: &VoiceOutput, sample: &KeySample) -> bool {
     turn.idle
         && !turn.late
@@ -231,7 +226,7 @@ impl TickObserver for TickRecorder {
                 self.push(RecorderRow::Key(row(key, seen)));
             }
         }
-        // Behind all that happened in its tick, so that what is told of a tick is whole.
+        // After all other rows of the tick, so that the rows of a tick are complete.
         let FinishedTick { tick, skipped, armed, simplified, .. } = *seen;
         self.push(RecorderRow::Tick(TickRow { tick, skipped, armed, simplified }));
     }

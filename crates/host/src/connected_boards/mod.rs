@@ -19,26 +19,23 @@ use crate::control::BoardsTold;
 use engine::realtime::clock;
 use scene::{BoardBus, Boards};
 
-/// Longest time for boards to answer, and to be armed (us).
+/// Longest wait for boards to answer and to be armed (us).
 pub const PATIENCE_US: u64 = 4_000_000;
 
-/// Returns the host's clock, as boards' clocks are compared with it (us).
+/// Returns the host's time, to which boards' clocks are compared (us).
 pub fn now_us() -> u64 {
     clock::monotonic().as_u64() / 1_000
 }
 
-/// Returns the clock of a host with boards behind `buses`: a virtual one that begins at 0 if all
-/// of them lead to programs in lockstep.
+/// Returns the clock of a host with `buses`: a virtual one from 0 if all of them lead to programs
+/// in lockstep.
 pub fn clock(buses: &[BoardBus]) -> HostClock {
     let is_virtual = !buses.is_empty() && buses.iter().all(|bus| bus.address.kind.is_in_lockstep);
     if is_virtual { HostClock::virtual_time() } else { HostClock::Monotonic(now_us) }
 }
 
-/// Opens a link for a host that lives by `clock`. A link to real boards is opened again whenever
-/// it goes down; a program in lockstep is started once, since another one would begin at time 0.
-///
-/// # Errors
-/// If it cannot be opened now.
+/// Opens a link for a host that lives by `clock`. A link to real boards is reopened whenever it
+/// goes down; a program in lockstep starts once, since another one would begin at time 0.
 pub fn open(bus: &BoardBus, clock: &HostClock) -> Result<NamedLink, boards::links::Error> {
     let (address, its_clock) = (bus.address.clone(), clock.clone());
     let open = move || address.open(BusSide::Host, &its_clock);
@@ -55,7 +52,7 @@ pub fn open(bus: &BoardBus, clock: &HostClock) -> Result<NamedLink, boards::link
 /// Opens all links for a host that lives by `clock`.
 ///
 /// # Errors
-/// All that cannot be opened, a sentence on each, to be printed after "letoff: ".
+/// A sentence on each link that fails, to be printed after "letoff: ".
 pub fn open_all(buses: &[BoardBus], clock: &HostClock) -> Result<Vec<NamedLink>, String> {
     let (mut lines, mut wrong) = (Vec::new(), Vec::new());
     for bus in buses {
@@ -68,22 +65,16 @@ pub fn open_all(buses: &[BoardBus], clock: &HostClock) -> Result<Vec<NamedLink>,
 }
 
 /// Returns the medium of a link, as far as its address and its rates determine it.
-///
-/// # Errors
-/// If it takes no time, or keeps no rate.
 pub fn medium(bus: &BoardBus) -> Result<Medium, NoPlan> {
     (bus.address.kind.medium)(&bus.address, bus.bit_rates)
 }
 
-/// Returns the folder of calibration files.
 pub fn folder(boards: &Boards) -> Option<PathBuf> {
     boards.calibration.clone().or_else(file::usual_folder)
 }
 
-/// Returns how the keys of a board behind one of the `boards`' buses read: from its file; a
-/// simulated board reads as it says.
-///
-/// # Errors
+/// Returns the calibration of a board behind one of the `boards`' buses: from its file, or from
+/// the board itself if it is simulated.
 /// If there is no file, or it cannot be used.
 pub fn calibration(
     found: &FoundBoard,
@@ -106,11 +97,11 @@ pub fn calibration(
     }
 }
 
-/// Tells all boards to render no force until they are seen to, several times since none answers.
+/// Stops the forces of all boards until they are restarted.
 pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
-    /// Times that the command is sent, since none answers it.
+    /// Repetitions of the command, since no board answers it.
     const TIMES: u8 = 3;
-    /// Tries of a line that has no room yet, and the pause between them.
+    /// Attempts on a full link, and the pause between them.
     const TRIES: u8 = 20;
     const PAUSE: Nanos = Nanos::from_millis(1);
     let boards = keybed.terms().count();
@@ -125,18 +116,16 @@ pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
     BoardsTold { told, boards }
 }
 
-/// Returns the calibrations that a board states itself.
+/// Returns the calibrations that the board states itself.
 fn nominal(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal())
 }
 
-/// Returns the keys that are to be measured: how they read is as their board says, where they are
-/// may be anywhere.
+/// Returns calibrations for keys to be measured: slopes as the board states, any position valid.
 pub fn unmeasured(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal().unmeasured())
 }
 
-/// Returns the keys that all read in the same way.
 fn alike(found: &FoundBoard, calibration: KeyCalibration) -> PerKey<KeyCalibration> {
     PerKey::collect(std::iter::repeat_n(calibration, usize::from(found.hello.n_keys)))
 }

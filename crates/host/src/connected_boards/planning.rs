@@ -1,4 +1,4 @@
-//! The load of a scene's links, and whether they can carry it.
+//! Load of a scene's links against their capacity.
 
 use boards::keybed::{Calibrated, Keybed};
 use boards::plan::{BusPlan, BusVerdict, Extras, NoPlan, standard};
@@ -7,22 +7,21 @@ use keyboard::KeyRange;
 
 use scene::{BoardBus, Boards};
 
-/// Returns the plans of the links of `boards` at `tick_hz` with the boards that the scene lists; a
-/// link without a list, or whose times are not known, has none.
+/// Plans the links of `boards` at `tick_hz` for the boards that the scene lists; a link without a
+/// list or with unknown times gets no plan.
 pub fn listed(boards: &Boards, tick_hz: u32) -> Vec<BusPlan> {
     let buses = boards.buses.iter();
     buses.filter_map(|bus| plan(boards, bus, listed_on(bus), tick_hz).ok()).collect()
 }
 
-/// Returns the same with an entry for each link; those of which nothing is said share the standard
-/// boards that no other has.
+/// Like [`listed`], but with an entry for each link; links without a list share the standard
+/// boards that no other link has.
 pub fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Result<BusPlan, NoPlan>> {
     let keys = shares(boards).into_iter().zip(&boards.buses);
     keys.map(|(keys, bus)| plan(boards, bus, keys, tick_hz)).collect()
 }
 
-/// Returns the plans of all links of a keybed whose boards are known; none where times are not
-/// known.
+/// Plans all links of a keybed with known boards; `None` where times are unknown.
 pub fn found(boards: &Boards, keybed: &Keybed<Calibrated>, tick_hz: u32) -> Vec<Option<BusPlan>> {
     let lines = keybed.line_names().zip(keybed.media()).enumerate();
     let plans = lines.map(|(line, (name, medium))| {
@@ -32,7 +31,7 @@ pub fn found(boards: &Boards, keybed: &Keybed<Calibrated>, tick_hz: u32) -> Vec<
     plans.collect()
 }
 
-/// Returns what plans with this verdict say.
+/// Returns the sentences of the plans with this verdict.
 pub fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
     plans: P,
     verdict: BusVerdict,
@@ -77,7 +76,7 @@ fn listed_on(bus: &BoardBus) -> Vec<KeyRange> {
     bus.boards.iter().map(|(_, keys)| *keys).collect()
 }
 
-/// Returns the keys of each board on each link; those that are not listed follow one another.
+/// Returns the keys of each board on each link; boards without a list follow one another.
 fn shares(boards: &Boards) -> Vec<Vec<KeyRange>> {
     let listed: usize = boards.buses.iter().map(|bus| bus.boards.len()).sum();
     let mut rest = BOARDS.saturating_sub(listed);
@@ -86,7 +85,7 @@ fn shares(boards: &Boards) -> Vec<Vec<KeyRange>> {
         if !bus.boards.is_empty() {
             return listed_on(bus);
         }
-        // The first have one more where they cannot be shared evenly.
+        // The first links have one more if the boards cannot be shared evenly.
         let n = rest.div_ceil(open.max(1));
         let first = BOARDS - rest;
         (rest, open) = (rest - n, open.saturating_sub(1));

@@ -1,4 +1,4 @@
-//! The host's end of the socket to its guardian: found or started, and never waited for long.
+//! The host's end of the socket to its guardian, with bounded waits.
 
 use std::io::{self, ErrorKind, Read as _, Write as _};
 use std::os::fd::OwnedFd;
@@ -16,7 +16,7 @@ use rustix::process::{Pid, Signal, kill_process};
 use super::protocol::{GuardianLine, HostLine};
 use crate::control::place;
 
-/// The command that is a guardian.
+/// Subcommand that runs a guardian.
 const COMMAND: &str = "midi-guardian";
 
 /// Longest line of a guardian (bytes).
@@ -26,19 +26,18 @@ const LONGEST_LINE: usize = 4096;
 #[derive(Debug)]
 pub(super) struct GuardianChannel {
     stream: UnixStream,
-    /// What was read, up to a line that is not whole yet.
+    /// Received bytes after the last whole line.
     received: Vec<u8>,
-    /// The guardian, if this process has started it.
+    /// The guardian, if this process started it.
     child: Option<Child>,
-    /// The process behind the socket.
     pid: Pid,
 }
 
 impl GuardianChannel {
-    /// Connects to the guardian at `path`, which is started if there is none.
+    /// Connects to the guardian at `path`, and starts one if none exists.
     ///
     /// # Errors
-    /// If it cannot be started, or another user's process is there.
+    /// If the start fails, or the process there belongs to another user.
     pub(super) fn reach(path: &Path) -> io::Result<Self> {
         let (stream, child) = match UnixStream::connect(path) {
             Ok(stream) => (stream, None),
@@ -62,17 +61,17 @@ impl GuardianChannel {
     /// Sends `line` without waiting.
     ///
     /// # Errors
-    /// If the guardian is gone, or has not read for so long that there is no room.
+    /// If the guardian is gone, or its buffer is full.
     pub(super) fn send(&mut self, line: &HostLine) -> io::Result<()> {
         let mut text = serde_json::to_vec(line)?;
         text.push(b'\n');
         self.stream.write_all(&text)
     }
 
-    /// Returns the next line that has come, if there is one.
+    /// Returns the next received line, if any.
     ///
     /// # Errors
-    /// If the guardian is gone, or says what no guardian says.
+    /// If the guardian is gone, or its line is invalid.
     pub(super) fn receive(&mut self) -> io::Result<Option<GuardianLine>> {
         let mut bytes = [0; 512];
         while !self.received.contains(&b'\n') {
@@ -90,7 +89,6 @@ impl GuardianChannel {
         self.first_line()
     }
 
-    /// Takes the first whole line out of what was read.
     fn first_line(&mut self) -> io::Result<Option<GuardianLine>> {
         let end = self.received.iter().position(|byte| *byte == b'\n');
         let Some(end) = end else { return Ok(None) };
@@ -98,10 +96,10 @@ impl GuardianChannel {
         Ok(Some(serde_json::from_slice(&text)?))
     }
 
-    /// Waits for the next line that is no beat, at most `patience` for each that comes.
+    /// Waits for the next line except beats, at most `patience` for each line.
     ///
     /// # Errors
-    /// If none comes, or the guardian is gone.
+    /// If none arrives, or the guardian is gone.
     pub(super) fn wait(&mut self, patience: Duration) -> io::Result<GuardianLine> {
         loop {
             match self.receive()? {
@@ -121,13 +119,13 @@ impl GuardianChannel {
         Ok(())
     }
 
-    /// Ends a guardian that does not answer, so that its port is closed and its notes are ended.
+    /// Kills a guardian that does not answer, which closes its port and ends its notes.
     pub(super) fn kill(mut self) {
-        // Until a guardian has begun, the process behind its socket is the host that started it.
+        // Before a guardian has begun, the process behind its socket is the host that started it.
         let pid = self.pid.as_raw_nonzero();
         let command = std::fs::read(format!("/proc/{pid}/cmdline")).unwrap_or_default();
         if command.split(|byte| *byte == 0).any(|word| word == COMMAND.as_bytes()) {
-            // One that is gone is as good.
+            // A missing process is as good as a killed one.
             let _gone = kill_process(self.pid, Signal::KILL);
         }
         if let Some(child) = &mut self.child {
@@ -137,7 +135,7 @@ impl GuardianChannel {
 }
 
 impl Drop for GuardianChannel {
-    /// Lets the system forget a guardian of this process that has ended.
+    /// Reaps a guardian of this process that has ended.
     fn drop(&mut self) {
         let _ended = self.child.as_mut().map(Child::try_wait);
     }
@@ -145,19 +143,19 @@ impl Drop for GuardianChannel {
 
 /// Starts a guardian that listens at `path`, where a killed one may have left its socket.
 ///
-/// It inherits the socket that already listens, so nobody has to wait until it does.
+/// It inherits the listening socket, so clients can connect at once.
 fn start(path: &Path) -> io::Result<Child> {
     place::prepare_folder(path)?;
     place::clear(path)?;
     let listener = UnixListener::bind(path)?;
     let mut command = Command::new(program());
     command.arg(COMMAND).arg(path).stdin(Stdio::from(OwnedFd::from(listener)));
-    // It outlives this process: it may hold neither its pipes, nor get the terminal's signals.
+    // It outlives this process, so it holds none of its pipes and gets no terminal signals.
     command.stdout(Stdio::null()).stderr(Stdio::null()).process_group(0);
     command.spawn()
 }
 
-/// Returns this program, also where its file was replaced by a newer one.
+/// Returns this program, even if a newer file replaced it.
 pub fn program() -> PathBuf {
     let named = std::env::current_exe().ok().filter(|path| path.exists());
     named.unwrap_or_else(|| PathBuf::from("/proc/self/exe"))

@@ -1,4 +1,4 @@
-//! The host's MIDI output: whatever it sends is held by a guardian.
+//! The host's MIDI output, held by a guardian.
 
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -12,25 +12,24 @@ use super::channel::GuardianChannel;
 use super::protocol::{GuardedPort, GuardianLine, HostLine, PassedOn, VERSION, is_missing};
 use crate::report::Quantiles;
 
-/// Longest wait for a port to open, and for the end: a sequencer takes some milliseconds.
+/// Longest wait for a port to open or to end; a sequencer takes some milliseconds.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Beats without an answer after which a guardian hangs; there are twenty a second.
+/// Unanswered beats, at twenty per second, after which a guardian counts as hanging.
 const MOST_UNANSWERED: u32 = 40;
 
-/// Least time between two attempts to start a guardian (s).
+/// Minimum time between two attempts to start a guardian (s).
 const INTERVAL: f64 = 1.0;
 
-/// The reason why there is no guarded port.
+/// Reason for a missing guarded port.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum GuardianTrouble {
-    /// There is no MIDI on this machine; a sentence.
+    /// This machine has no MIDI; a sentence.
     #[error("{0}")]
     Missing(String),
     /// The port cannot be opened; a sentence.
     #[error("{0}")]
     Refused(String),
-    /// No guardian can be had.
     #[error("no MIDI guardian can be started at {path}: {source}")]
     NoGuardian { path: PathBuf, source: io::Error },
 }
@@ -42,23 +41,23 @@ impl From<Unavailable> for GuardianTrouble {
     }
 }
 
-/// What a guardian has told of a run, for its report.
+/// A guardian's account of a run, for its report.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GuardianReport {
     /// Messages that the guardian could not send.
     pub(crate) n_lost: u64,
-    /// The first reason; a sentence.
+    /// First reason; a sentence.
     pub(crate) trouble: Option<String>,
-    /// How often the host was silent for so long that its notes were ended.
+    /// Silences of the host so long that its notes were ended.
     pub(crate) n_interruptions: u64,
-    /// From the host's write until the port had the message.
+    /// Time from the host's write to the port.
     pub(crate) passed_on: Option<Quantiles>,
 }
 
 /// Writes sentences into the host's log.
 pub(crate) type SayLine = Box<dyn Fn(String) + Send>;
 
-/// A port behind a guardian, which is replaced if it dies.
+/// A port behind a guardian that is replaced if it dies.
 pub(crate) struct GuardedOutput {
     path: PathBuf,
     port: GuardedPort,
@@ -66,18 +65,15 @@ pub(crate) struct GuardedOutput {
     held: HeldNotes,
     /// Beats since the guardian's last answer.
     unanswered: u32,
-    /// When a guardian was last started in the place of another (s).
+    /// Time of the last start of a replacement (s).
     attempted: Option<f64>,
     report: Arc<Mutex<GuardianReport>>,
     say: SayLine,
 }
 
 impl GuardedOutput {
-    /// Opens `port` behind the guardian at `path`, which is started if there is none; tells by
-    /// `say` what becomes of it.
-    ///
-    /// # Errors
-    /// If there is no MIDI, no such port, or no guardian.
+    /// Opens `port` behind the guardian at `path`, and starts one if none exists; `say` logs
+    /// changes.
     pub(crate) fn open(
         path: &Path,
         port: GuardedPort,
@@ -96,12 +92,11 @@ impl GuardedOutput {
         })
     }
 
-    /// Returns what the guardian tells, also after this output has gone.
+    /// Returns the shared report, which outlives this output.
     pub(crate) fn report(&self) -> Arc<Mutex<GuardianReport>> {
         Arc::clone(&self.report)
     }
 
-    /// Takes in what the guardian has said.
     fn receive(&mut self) -> io::Result<()> {
         let channel = self.channel.as_mut().ok_or(ErrorKind::NotConnected)?;
         while let Some(line) = channel.receive()? {
@@ -117,12 +112,12 @@ impl GuardedOutput {
         self.channel.as_mut().ok_or(ErrorKind::NotConnected)?.send(line)
     }
 
-    /// Starts another guardian at time `now` (s), in the place of one that failed for `why`:
-    /// note-offs first, then the pedals that are down.
+    /// Replaces a guardian that failed for `why`, at time `now` (s): sends note-offs first, then
+    /// the pedals that are down.
     fn replace(&mut self, now: f64, why: &io::Error) -> Result<(), MidiSendError> {
         if let Some(channel) = self.channel.take() {
             (self.say)(format!("the MIDI guardian is gone ({why}): another one is started"));
-            // One that is gone has closed its socket; what still holds it hangs.
+            // A guardian that is gone has closed its socket; one that still holds it hangs.
             if matches!(why.kind(), ErrorKind::TimedOut | ErrorKind::WouldBlock) {
                 channel.kill();
             }
@@ -176,8 +171,8 @@ impl Output for GuardedOutput {
 }
 
 impl Drop for GuardedOutput {
-    /// Lets the guardian end: a run that was prepared will not begin. After a panic it stays, so
-    /// that the port is still there for the next host.
+    /// Lets the guardian end if a prepared run does not begin. After a panic it stays, so that
+    /// the port is still there for the next host.
     fn drop(&mut self) {
         if !std::thread::panicking() {
             let _gone = self.send_line(&HostLine::Finish);
@@ -185,8 +180,7 @@ impl Drop for GuardedOutput {
     }
 }
 
-/// Opens `port` behind the guardian at `path`, or behind one of this process's own where that one
-/// declines.
+/// Opens `port` behind the guardian at `path`, or behind this process's own if that one declines.
 fn open(path: &Path, port: &GuardedPort) -> Result<(PathBuf, GuardianChannel), GuardianTrouble> {
     let no_guardian =
         |path: &Path, source| GuardianTrouble::NoGuardian { path: path.to_owned(), source };
@@ -194,7 +188,7 @@ fn open(path: &Path, port: &GuardedPort) -> Result<(PathBuf, GuardianChannel), G
     own.push(format!(".{}", std::process::id()));
     let hello = HostLine::Hello { version: VERSION, port: port.clone() };
     let mut trouble = io::Error::from(ErrorKind::NotConnected);
-    // The first may be just about to end, as its host has; the second is another host's.
+    // The first may be about to end with its host; the second is another host's.
     for path in [path, path, Path::new(&own)] {
         match greet(path, &hello) {
             Ok((channel, GuardianLine::Opened {})) => return Ok((path.to_owned(), channel)),
@@ -210,7 +204,7 @@ fn open(path: &Path, port: &GuardedPort) -> Result<(PathBuf, GuardianChannel), G
     Err(no_guardian(path, trouble))
 }
 
-/// Sends `hello` to the guardian at `path`; returns its answer, and ends it if it hangs.
+/// Sends `hello` to the guardian at `path`; returns its answer, or kills it if it hangs.
 fn greet(path: &Path, hello: &HostLine) -> io::Result<(GuardianChannel, GuardianLine)> {
     let mut channel = GuardianChannel::reach(path)?;
     channel.send(hello)?;
@@ -224,7 +218,7 @@ fn greet(path: &Path, hello: &HostLine) -> io::Result<(GuardianChannel, Guardian
     }
 }
 
-/// Notes what became of the messages, and tells what is new of it.
+/// Records the state of the messages and logs changes.
 fn note(report: &Mutex<GuardianReport>, say: &SayLine, passed_on: &PassedOn) {
     let mut report = lock(report);
     let PassedOn { n_lost, trouble, n_interruptions } = passed_on.clone();

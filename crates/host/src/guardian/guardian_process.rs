@@ -1,4 +1,4 @@
-//! The guardian's own process: one host at a time, and silence whenever there is none.
+//! The guardian's own process: one host at a time, and silence without one.
 
 use std::io;
 use std::os::fd::AsFd as _;
@@ -24,30 +24,29 @@ use crate::control::place;
 use crate::midi_thread::{AnyOutput, PRIORITY};
 use crate::report::Quantiles;
 
-/// Time between two looks whether the host still gives signs, and after the port.
+/// Interval of the checks of the host's beats and of the port.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// How long the port is kept for a host that is started again.
+/// Time that the port is kept for a host that restarts.
 const KEPT: Duration = Duration::from_mins(1);
 
-/// Hosts that may wait to be let in.
 const BACKLOG: i32 = 16;
 
 /// Time in which the host that started it connects.
 const EXPECTED: Duration = Duration::from_secs(10);
 
-/// Holds a port and its notes for the hosts that connect to the socket on standard input, whose
-/// file is at `path`; returns when none has come back in a minute, or at a signal.
+/// Holds a port and its notes for hosts that connect to the socket on standard input, whose file
+/// is at `path`; returns after a minute without a host, or at a signal.
 ///
 /// # Errors
-/// If standard input is no socket that listens, or the system refuses what it needs.
+/// If standard input is no listening socket, or a system call fails.
 pub fn attend(path: &Path) -> io::Result<()> {
     let listener = StdListener::from(io::stdin().as_fd().try_clone_to_owned()?);
     listener.local_addr()?;
-    // From now on a client sees this process behind the socket, and not the host that made it.
+    // From now on a client sees this process behind the socket, not the host that made it.
     rustix::net::listen(&listener, BACKLOG)?;
     listener.set_nonblocking(true)?;
-    // As far as the system allows; a guardian without it is as late as every other program.
+    // Best effort; without it the guardian is as late as every other program.
     let plan = ThreadPlan { policy: WantedPolicy::Fifo(PRIORITY), cpus: Vec::new() };
     let _granted = (plan.ask(0), memory::lock());
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
@@ -57,24 +56,21 @@ pub fn attend(path: &Path) -> io::Result<()> {
     attended
 }
 
-/// A port that is open, and which one.
 struct OpenPort {
     port: GuardedPort,
     notes: NoteGuardian<AnyOutput>,
 }
 
-/// The state of the process.
 struct GuardianProcess {
     begun: Nanos,
     open: Option<OpenPort>,
     passed_on: PassedOn,
-    /// From the host's write until the port had the message (ns).
+    /// Time from the host's write to the port (ns).
     after: Histogram<u64>,
-    /// Whether the host said that its run is over.
+    /// `true` if the host reported the end of its run.
     is_finished: bool,
 }
 
-/// A host that is connected.
 struct ConnectedHost {
     lines: Lines<BufReader<OwnedReadHalf>>,
     writer: OwnedWriteHalf,
@@ -86,7 +82,7 @@ impl ConnectedHost {
         Self { lines: BufReader::new(reader).lines(), writer }
     }
 
-    /// Says `line`, unless the host has not read for so long that there is no room.
+    /// Sends `line`, or drops it if the host has not read for so long that there is no room.
     fn say(&self, line: &GuardianLine) {
         if let Ok(mut text) = serde_json::to_vec(line) {
             text.push(b'\n');
@@ -95,7 +91,6 @@ impl ConnectedHost {
     }
 }
 
-/// The signals at which a guardian ends.
 struct EndSignals([Signal; 3]);
 
 impl EndSignals {
@@ -125,7 +120,7 @@ impl GuardianProcess {
         })
     }
 
-    /// Returns the time since it began (s).
+    /// Returns the time since the start (s).
     fn now(&self) -> f64 {
         clock::monotonic().since(self.begun).as_secs_f64()
     }
@@ -165,15 +160,12 @@ impl GuardianProcess {
         }
     }
 
-    /// Returns for how long it waits for another host: not at all without a port.
+    /// Returns the time to wait for another host; zero without a port.
     fn kept(&self) -> Duration {
         if self.open.is_some() { KEPT } else { Duration::ZERO }
     }
 
-    /// Does what a line of the host asks; returns the answer, if there is one.
-    ///
-    /// # Errors
-    /// If no host says such a thing.
+    /// Handles a line of the host; returns the answer, if any.
     fn hear(&mut self, line: &str) -> serde_json::Result<Option<GuardianLine>> {
         let now = self.now();
         match serde_json::from_str(line)? {
@@ -200,7 +192,6 @@ impl GuardianProcess {
         Ok(None)
     }
 
-    /// Opens the port of a new host, unless it is open.
     fn greet(&mut self, now: f64, port: GuardedPort) -> GuardianLine {
         self.passed_on = PassedOn::default();
         self.after.reset();
@@ -214,12 +205,11 @@ impl GuardianProcess {
         GuardianLine::Opened {}
     }
 
-    /// Opens `port`, unless it is the one that is open.
     fn open(&mut self, port: GuardedPort) -> Result<(), Unavailable> {
         if self.open.as_ref().is_some_and(|open| open.port == port) {
             return Ok(());
         }
-        // The old one first: a device may be opened once only.
+        // The old one first: a device may be open only once.
         self.open = None;
         let (output, trouble) = port.open()?;
         self.passed_on.trouble = trouble;
@@ -240,12 +230,12 @@ impl GuardianProcess {
         let polled = open.notes.poll(now);
         self.passed_on.n_interruptions = open.notes.n_interruptions();
         if let Err(away) = polled {
-            // Nothing was lost by looking.
+            // Polling loses no message.
             self.passed_on.trouble.get_or_insert_with(|| away.to_string());
         }
     }
 
-    /// Ends what the host held, which is gone.
+    /// Ends the notes of a host that is gone.
     fn leave(&mut self) {
         let now = self.now();
         let left = self.open.as_mut().map(|open| open.notes.leave(now));
@@ -259,7 +249,7 @@ impl GuardianProcess {
         }
     }
 
-    /// Ends all notes, closes the port, and takes the socket away.
+    /// Ends all notes, closes the port and removes the socket.
     fn close(&mut self, path: &Path) {
         self.leave();
         self.open = None;
@@ -269,7 +259,7 @@ impl GuardianProcess {
     }
 }
 
-/// Returns the next line of the host; nothing when it is gone, and never without one.
+/// Returns the next line of the host; `None` when it is gone. Never returns without a host.
 async fn next_line(host: &mut Option<ConnectedHost>) -> Option<String> {
     match host {
         Some(host) => host.lines.next_line().await.ok().flatten(),
@@ -277,7 +267,7 @@ async fn next_line(host: &mut Option<ConnectedHost>) -> Option<String> {
     }
 }
 
-/// Lets a host of this user in, if there is none; another one is told so.
+/// Accepts a host of this user if there is none, else declines it.
 fn admit(stream: UnixStream, host: &mut Option<ConnectedHost>) {
     let is_ours = stream.peer_cred().is_ok_and(|peer| peer.uid() == place::user());
     if !is_ours {

@@ -7,9 +7,9 @@
 //!                      └────── opened, beats, finished ◀────────────┘
 //! ```
 //!
-//! If the host is gone, or gives no sign for half a second, the guardian ends its notes.
-//! Its socket lies beside the control socket: a host that is started again finds it there, and
-//! the port with it, to which other programs stay connected.
+//! If the host is gone, or sends no beat for half a second, the guardian ends its notes. Its
+//! socket is beside the control socket: a restarted host finds it there together with the port,
+//! to which other programs stay connected.
 
 mod channel;
 mod guarded_output;
@@ -25,7 +25,7 @@ pub(crate) use protocol::GuardedPort;
 
 use crate::control::socket_path;
 
-/// Returns the socket of the guardian of this user's host.
+/// Returns the path of the guardian's socket for this user's host.
 pub fn guardian_path() -> PathBuf {
     let mut path = socket_path().into_os_string();
     path.push(".midi");

@@ -1,4 +1,4 @@
-//! Messages of the run beside those of its replay.
+//! Compares the messages of a run with those of its replay.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -30,7 +30,6 @@ impl std::fmt::Display for ReplayDifference {
 pub(super) struct ReplayedMessages(Arc<Mutex<VecDeque<Update>>>);
 
 impl ReplayedMessages {
-    /// Returns and removes all messages.
     pub(super) fn take_all(&self) -> VecDeque<Update> {
         std::mem::take(&mut *self.lock())
     }
@@ -40,7 +39,7 @@ impl ReplayedMessages {
     }
 }
 
-/// Returns `true` for messages that follow from the inputs, and contain no times of clocks.
+/// Returns `true` for messages that follow from the inputs and contain no clock times.
 fn is_compared(update: &Update) -> bool {
     match update {
         Update::Block(_) | Update::Midi(_) => true,
@@ -78,7 +77,7 @@ impl MessageSink for ReplayedMessages {
     }
 }
 
-/// Compares message with message, each kind in its own order.
+/// Compares messages, each kind in its own order.
 #[derive(Debug, Default)]
 pub(super) struct Comparison {
     recorded: VecDeque<Update>,
@@ -90,7 +89,7 @@ pub(super) struct Comparison {
 }
 
 impl Comparison {
-    /// One more message of the recording.
+    /// Adds a message of the recording.
     pub(super) fn expect(&mut self, update: Update) {
         if matches!(update, Update::Midi(_)) {
             self.midi.push_back(update);
@@ -113,23 +112,22 @@ impl Comparison {
         }
     }
 
-    /// Forgets messages that were recorded after the last ticks, which cannot be replayed. Returns
-    /// `true` if there were any: the recording breaks off.
+    /// Drops messages recorded after the last ticks, which cannot be replayed. Returns `true` if
+    /// there were any: the recording breaks off.
     pub(super) fn forget_unrun(&mut self) -> bool {
         let is_torn = !self.recorded.is_empty();
         self.recorded.clear();
         is_torn
     }
 
-    /// Returns `true` if the replay, after `timed` messages, ended notes that the recording does not
-    /// end: the recording breaks off before.
+    /// Returns `true` if the replay, after `timed` messages, ended notes that the recording does
+    /// not end: the recording breaks off before.
     pub(super) fn lacks_end(&self, timed: usize) -> bool {
         self.midi.len() <= timed && timed < self.replayed_midi.len()
     }
 
-    /// Puts what both sent up to the run's end, the first `timed` messages, in order of time: the
-    /// MIDI thread of a run that is late sends what it finds, and one of an older version sent by
-    /// keys.
+    /// Sorts the first `timed` messages of both by time: the MIDI thread of a late run sends in
+    /// order of arrival, and one of an older version by keys.
     pub(super) fn sort_sent(&mut self, timed: usize) {
         for sent in [&mut self.midi, &mut self.replayed_midi] {
             let n = timed.min(sent.len());
@@ -142,14 +140,13 @@ impl Comparison {
         }
     }
 
-    /// Forgets what only one of both has sent: the recording breaks off.
+    /// Drops the messages that only one of both sent: the recording breaks off.
     pub(super) fn tear(&mut self, timed: usize) {
         let both = self.midi.len().min(timed);
         self.midi.truncate(both);
         self.replayed_midi.truncate(both);
     }
 
-    /// Returns how the recorded run ended its notes.
     pub(super) fn ending(&self) -> NoteEnding {
         let cuts_off = |update: &Update| {
             let Update::Midi(midi) = update else { return false };
@@ -160,13 +157,13 @@ impl Comparison {
         if is_emergency { NoteEnding::Emergency } else { NoteEnding::Regular }
     }
 
-    /// Returns what was sent so far.
+    /// Returns the number of sent messages.
     pub(super) fn n_sent(&self) -> usize {
         self.replayed_midi.len()
     }
 
-    /// Compares what was sent to the synthesizer: the first `timed` messages with their times.
-    /// When a run ends, and with it the notes that are held, only a clock knows.
+    /// Compares the messages to the synthesizer, the first `timed` ones with their times. The end
+    /// of a run and of its held notes depends on a clock.
     pub(super) fn finish(&mut self, tick: u64, timed: usize) {
         let mut n = 0;
         while let Some(mut recorded) = self.midi.pop_front() {
@@ -189,7 +186,7 @@ impl Comparison {
         let Some(replayed) = replayed else {
             return self.note(tick, &format!("the replay does not say {}", short(recorded)));
         };
-        // As bytes: what is no number is equal to itself.
+        // As bytes, so that NaN equals itself.
         if recorded.encode() == replayed.encode() {
             return;
         }
@@ -207,7 +204,6 @@ impl Comparison {
     }
 }
 
-/// Returns the first difference of two blocks.
 fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
     let key = u8::try_from(recorded.key).ok().and_then(KeyIndex::new);
     let key = key.map_or_else(|| recorded.key.to_string(), |key| key.to_string());
@@ -234,10 +230,9 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
     (recorded.tick, format!("key {key}: the replay has rows beyond the recorded ones"))
 }
 
-/// Returns the value of a column in a row, as text that is the same only for the same bits.
+/// Returns a cell as text that is equal only for equal bits.
 type CellText = fn(&KeyBlock, usize) -> String;
 
-/// The columns that are compared.
 const COLUMNS: [(&str, CellText); 13] = [
     ("position", |it, row| bits(&it.position, row)),
     ("age", |it, row| cell(&it.age, row)),
@@ -266,7 +261,6 @@ fn bits(column: &[f64], row: usize) -> String {
     column.get(row).map_or_else(|| "nothing".to_owned(), show)
 }
 
-/// Returns a message in a line.
 fn short(update: &Update) -> String {
     match update {
         Update::Block(block) => format!("rows of key {} from tick {}", block.key, block.tick),

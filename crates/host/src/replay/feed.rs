@@ -1,4 +1,4 @@
-//! What decided in each tick, out of a recording's messages.
+//! Inputs of each tick, from a recording's messages.
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -9,28 +9,25 @@ use telemetry::{Event, KeyBlock, Ticks};
 
 use crate::observe::flag;
 
-/// A key in a tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct KeyTick {
     pub(super) sample: KeySample,
-    /// Which voice it was of; 0 if that is not known.
+    /// Revision of the voice; 0 if unknown.
     pub(super) revision: u32,
     pub(super) lane: LaneStatus,
-    /// In which of the last ticks it was not run: bit 1 is the one before. Of a late lane that is
-    /// known if bit 0 is not set.
+    /// Recent ticks in which it did not run: bit 1 is the one before. For a late lane it is known
+    /// if bit 0 is not set.
     pub(super) unrun: u32,
     /// Units of work after which its turn was cut off, if it was.
     pub(super) limit: Option<u32>,
 }
 
-/// How the key's lane was.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LaneStatus {
     Done,
     Late,
 }
 
-/// Whether voices are felt.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Arm {
     On,
@@ -41,13 +38,13 @@ pub(super) enum Arm {
 #[derive(Debug)]
 pub(super) struct Feed {
     rows: Vec<VecDeque<(u64, KeyTick)>>,
-    /// As each key was last.
+    /// Last state of each key.
     last: Vec<KeyTick>,
     /// Ticks from which voices are felt or not.
     arms: BTreeMap<u64, Arm>,
-    /// Ticks from which something else is left out.
+    /// Ticks from which the omissions change.
     simplified: BTreeMap<u64, Simplifications>,
-    /// The first tick before which rows are missing.
+    /// First tick before which rows are missing.
     gap: Option<u64>,
 }
 
@@ -69,7 +66,7 @@ impl Feed {
         }
     }
 
-    /// Takes the rows of a block; columns that are too short end it.
+    /// Adds the rows of a block; columns that are too short end it.
     pub(super) fn block(&mut self, block: &KeyBlock) {
         let Some(rows) = usize::try_from(block.key).ok().and_then(|key| self.rows.get_mut(key))
         else {
@@ -84,7 +81,7 @@ impl Feed {
         }
     }
 
-    /// Takes what happened, as far as it decides.
+    /// Adds an event, if it is an input.
     pub(super) fn event(&mut self, event: &Event) {
         let arm = match event.kind() {
             Kind::Overload => {
@@ -112,36 +109,35 @@ impl Feed {
         self.arms.insert(event.tick, arm);
     }
 
-    /// Whether voices are felt or not from `tick` on, if that changes there.
+    /// Returns the change of arming at `tick`, if any.
     pub(super) fn arm(&mut self, tick: u64) -> Option<Arm> {
         last_until(&mut self.arms, tick)
     }
 
-    /// What is left out from `tick` on, if that changes there.
+    /// Returns the change of omissions at `tick`, if any.
     pub(super) fn simplified(&mut self, tick: u64) -> Option<Simplifications> {
         last_until(&mut self.simplified, tick)
     }
 
-    /// Whether the first rows of keys say that they were run before `tick`.
+    /// Returns `true` if the first rows of keys report runs before `tick`.
     pub(super) fn begins_late(&self, tick: u64) -> bool {
         let of = |rows: &VecDeque<(u64, KeyTick)>| rows.front().copied();
         self.rows.iter().filter_map(of).any(|(at, fed)| {
-            // A voice that was never run before says so of all ticks before.
+            // A new voice reports that it never ran, for all ticks before.
             fed.lane == LaneStatus::Done && at <= tick && fed.unrun != u32::MAX - 1
         })
     }
 
-    /// Takes what decided from `tick` on for missing.
+    /// Marks the inputs from `tick` on as missing.
     pub(super) fn lose(&mut self, tick: u64) {
         self.gap.get_or_insert(tick);
     }
 
-    /// The first tick before which rows are missing, if there is one.
+    /// Returns the first tick before which rows are missing, if any.
     pub(super) const fn gap(&self) -> Option<u64> {
         self.gap
     }
 
-    /// All keys in `tick`.
     pub(super) fn tick(&mut self, tick: u64) -> Vec<KeyTick> {
         for (rows, last) in self.rows.iter_mut().zip(&mut self.last) {
             while rows.front().is_some_and(|(at, _fed)| *at < tick) {
@@ -149,7 +145,7 @@ impl Feed {
             }
             let now = rows.front().filter(|(at, _fed)| *at == tick).map(|(_at, fed)| *fed);
             *last = now.unwrap_or(KeyTick {
-                // It lies still, as it did before.
+                // It still lies still.
                 sample: KeySample { age: 0, taken: 0.0, ..last.sample },
                 lane: LaneStatus::Done,
                 unrun: 0,
@@ -161,18 +157,17 @@ impl Feed {
     }
 }
 
-/// Takes the changes up to `tick` out of `changes` and returns the last of them.
+/// Removes the changes up to `tick` and returns the last of them.
 fn last_until<T>(changes: &mut BTreeMap<u64, T>, tick: u64) -> Option<T> {
     let later = changes.split_off(&tick.saturating_add(1));
     std::mem::replace(changes, later).into_values().last()
 }
 
-/// The ticks that a message tells of.
 pub(super) fn ticks(message: &Ticks) -> impl Iterator<Item = u64> {
     message.after.iter().map(|after| message.tick.saturating_add(u64::from(*after)))
 }
 
-/// One row with its flags, if all columns have it.
+/// Returns one row with its flags, if all columns have it.
 fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
     let tick = block.tick.checked_add(u64::from(*block.after.get(row)?))?;
     let flags = *block.flags.get(row)?;

@@ -1,4 +1,4 @@
-//! Lanes that do what the recorded ones did: in time, late, or not at all.
+//! Lanes that repeat the recorded ones: in time, late, or not at all.
 
 use std::collections::BTreeMap;
 
@@ -19,38 +19,35 @@ use scene::{KeyVoice, Render, Scene};
 #[derive(Clone, Debug)]
 pub(super) struct RecordedVoice {
     pub(super) voice: KeyVoice,
-    /// Whether it takes over the state of the one before.
+    /// `true` if it takes over the state of the one before.
     pub(super) kept: bool,
-    /// The settings by which it is computed.
     pub(super) render: Render,
 }
 
-/// A key's voice, and what of it has not been seen.
+/// A key's voice and its late ticks.
 struct ReplaySlot {
     slot: Slot<PanicGuard>,
-    /// The settings by which its voice is computed.
     render: Render,
     revision: u32,
     /// Ticks in which its lane was not done.
     pending: Vec<(u64, KeySample, TickRules)>,
-    /// What was made in them.
+    /// Results of those ticks.
     late: LateResult,
-    /// Whether its lane was late for longer than the recording tells of.
+    /// `true` if its lane was late for longer than the recording contains.
     is_unknown: bool,
 }
 
-/// The voices of a recording, by key and revision.
+/// Voices by key and revision.
 type RecordedVoices = BTreeMap<(usize, u32), RecordedVoice>;
 
-/// The voices of a recording.
+/// Lanes with the voices of a recording.
 pub(super) struct ReplayLanes {
     slots: Vec<Option<ReplaySlot>>,
-    /// The voices of each key, by key and revision.
     voices: RecordedVoices,
     scene: Scene,
-    /// What decided in the tick that is run.
+    /// Inputs of the current tick.
     fed: Vec<KeyTick>,
-    /// Why a voice could not be built.
+    /// Reason why a voice could not be built.
     pub(super) failed: Option<ReplayError>,
 }
 
@@ -60,7 +57,7 @@ impl ReplayLanes {
         Self { slots, voices: BTreeMap::new(), scene, fed: Vec::new(), failed: None }
     }
 
-    /// A voice that may be put in from now on; the first one of a key begins.
+    /// Adds a voice that may be put in from now on; the first one of a key begins.
     pub(super) fn learn(
         &mut self,
         key: u32,
@@ -76,12 +73,12 @@ impl ReplayLanes {
         Ok(())
     }
 
-    /// Whether it is not known of some voice which ticks it was run in.
+    /// Returns `true` if the run ticks of some voice are not known.
     pub(super) fn is_unknown(&self) -> bool {
         self.slots.iter().flatten().any(|slot| slot.is_unknown)
     }
 
-    /// What decides in the tick that is run next.
+    /// Sets the inputs of the next tick.
     pub(super) fn feed(&mut self, fed: Vec<KeyTick>) {
         self.fed = fed;
     }
@@ -112,7 +109,7 @@ impl ReplaySlot {
         })
     }
 
-    /// Makes the changes of this key up to `revision`, as they were made before a tick.
+    /// Applies the changes of this key up to `revision`, as before a tick of the run.
     fn change(
         &mut self,
         revision: u32,
@@ -147,7 +144,7 @@ impl ReplaySlot {
         let values = values.filter(|_| recorded.kept && is_set_as);
         if !values.is_some_and(|values| self.slot.retune(&values)) {
             let voice = PanicGuard::new(build(scene, recorded, revision)?);
-            // What keeps a state and takes no values is of another version, or computed otherwise.
+            // A state that is kept without new values is of another version or computed otherwise.
             let put_in = if recorded.kept { Slot::succeed } else { Slot::replace };
             let _old = put_in(&mut self.slot, voice);
         }
@@ -186,7 +183,7 @@ impl ReplaySlot {
         Ok(())
     }
 
-    /// Runs the ticks that came too late, of those that were run.
+    /// Runs those of the late ticks that were run.
     fn catch_up(&mut self, tick: u64, unrun: u32) {
         for (late, sample, rules) in std::mem::take(&mut self.pending) {
             let before = u32::try_from(tick - late).unwrap_or(u32::MAX);

@@ -7,11 +7,9 @@
 //! ```
 //!
 //! The recording contains all inputs of the run: which ticks were run, the samples and their age,
-//! which lane was late, when a voice was put in or retuned, when voices were disarmed. All else
-//! follows from these inputs, and the code that computed it computes it again.
-//!
-//! A replay ends where a damaged recording has a hole: the state of its voices behind the hole is
-//! not in the recording.
+//! which lane was late, when a voice was put in or retuned, when voices were disarmed. The code
+//! computes the rest from these inputs again. A replay ends at a hole of a damaged recording,
+//! since the state of its voices behind the hole is not recorded.
 
 mod compare;
 mod feed;
@@ -22,10 +20,9 @@ mod versions;
 pub use compare::ReplayDifference;
 pub use run::{Replayed, replay};
 
-/// The reason why a recording cannot be replayed.
+/// Reason why a recording cannot be replayed.
 #[derive(Debug, thiserror::Error)]
 pub enum ReplayError {
-    /// There is no catalogue.
     #[error("the recording has no catalogue, which names what was run: it can only be exported")]
     NoCatalogue,
     /// The recording began later than the run.
@@ -41,10 +38,8 @@ pub enum ReplayError {
     /// The scene is of another version.
     #[error("the scene in the recording is not understood by this version: {0}")]
     Scene(String),
-    /// A voice cannot be built.
     #[error("a voice of the recording cannot be built: {0}")]
     Voice(String),
-    /// The recording cannot be read.
     #[error("{0}")]
     Read(String),
 }

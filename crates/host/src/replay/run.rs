@@ -1,4 +1,4 @@
-//! A recording through the scheduler.
+//! Runs a recording through the scheduler.
 
 use std::sync::{Arc, mpsc};
 
@@ -24,32 +24,31 @@ use engine::realtime::run::scheduler;
 use engine::realtime::wake_fd::WakeFd;
 use scene::{KeyVoice, Library, Render, Scene};
 
-/// The result of a replay.
+/// Result of a replay.
 #[derive(Clone, PartialEq, Debug, Default, Serialize)]
 pub struct Replayed {
     pub scene: String,
-    /// Ticks that were run again and compared to the last bit.
+    /// Ticks that were replayed and compared to the last bit.
     pub ticks: u64,
     /// Ticks in the recording, up to its first hole.
     pub recorded: u64,
     /// Messages that were compared to the last bit: rows, events, MIDI.
     pub compared: u64,
-    /// Messages among these that differ.
     pub different: u64,
     pub first_difference: Option<ReplayDifference>,
     /// First tick with incomplete inputs, if any: the recording breaks off or has a hole, rows are
     /// missing, or a lane was late for too long. Nothing is compared from there on.
     pub incomplete_from: Option<u64>,
-    /// The damage that ended the replay, in a sentence.
+    /// Damage that ended the replay; a sentence.
     pub damage: Option<String>,
     pub faults: u64,
     pub strikes: u64,
 }
 
-/// Replays what `messages` recorded, in their order, and compares.
+/// Replays `messages` in their order and compares.
 ///
-/// The replay ends where a message cannot be read: the recording does not contain the state of the
-/// voices behind such a hole. A hole is no difference.
+/// The replay ends at a message that cannot be read, since the recording does not contain the
+/// state of the voices behind such a hole. A hole is no difference.
 ///
 /// # Errors
 /// If the recording cannot be replayed; a difference is no error.
@@ -60,7 +59,7 @@ pub fn replay(
     let mut replay: Option<Box<Replay>> = None;
     for message in messages {
         match (&mut replay, message) {
-            // Messages behind the damage do not begin where the run did.
+            // Messages behind the damage do not begin with the run.
             (None, Err(why)) => return Err(ReplayError::Beginning(why)),
             (None, Ok(Update::Catalogue(catalogue))) => replay = Some(Replay::begin(&catalogue)?),
             (None, Ok(_too_early)) => {}
@@ -81,7 +80,6 @@ pub fn replay(
     Ok(replay.ok_or(ReplayError::NoCatalogue)?.finish())
 }
 
-/// Returns the recorded scene.
 fn scene_of(catalogue: &Catalogue, library: &Library) -> Result<Scene, ReplayError> {
     let scene = Scene::from_text(library, "recording", catalogue.scene_text.clone());
     scene.map_err(|wrong| ReplayError::Scene(wrong.to_string()))
@@ -92,35 +90,34 @@ struct Replay {
     engine: ReplayEngine,
     sinks: ReplaySinks,
     comparison: Comparison,
-    /// The result as far as it is known.
     result: Replayed,
 }
 
-/// Inputs of the ticks that follow, as far as the recording was read.
+/// Inputs of the following ticks, as far as the recording was read.
 struct RecordedInputs {
     /// Render settings for the voices that follow in the recording.
     render: Render,
     versions: RecordedVersions,
     feed: Feed,
     pedals: Vec<PedalMove>,
-    /// Ticks after which pedals move again, if they do.
+    /// Ticks of a pass, if the pedals repeat.
     pass: Option<u64>,
     /// `true` if messages follow damage.
     has_hole: bool,
 }
 
-/// The scheduler, between recorded samples and voices that are built again.
+/// The scheduler, between recorded samples and rebuilt voices.
 struct ReplayEngine {
     scheduler: Box<scheduler::tick::Scheduler>,
     timetable: Timetable,
     bus: ReplayBus,
     lanes: ReplayLanes,
     is_running: bool,
-    /// The tick that was run last, 0 before the first.
+    /// Last tick that ran, 0 before the first.
     last: u64,
 }
 
-/// Observers of the ticks, which report them as those of the run did.
+/// Observers of the ticks, equal to those of the run.
 struct ReplaySinks {
     watchers: Watchers,
     telemetry: Box<TelemetryThread>,
@@ -133,8 +130,7 @@ struct ReplaySinks {
 const RING: usize = 1 << 16;
 
 impl ReplayEngine {
-    /// Runs `tick` with the samples, arming and overload that `feed` has of it. Returns `true` if
-    /// the scheduler ran it.
+    /// Runs `tick` with the inputs of `feed`. Returns `true` if the scheduler ran it.
     fn run(
         &mut self,
         tick: u64,
@@ -214,7 +210,7 @@ impl Replay {
             comparison: Comparison::default(),
             result: Replayed { scene: scene.name.clone(), ..Replayed::default() },
             engine: ReplayEngine {
-                // The recording contains what was left out and which keys waited.
+                // The recording contains the omissions and the waiting keys.
                 scheduler: scheduler(timetable, render.slew_limit),
                 timetable,
                 bus: ReplayBus { samples: [KeySample::default(); KEYS] },
@@ -287,7 +283,7 @@ impl Replay {
         }
         self.sinks.telemetry.pump();
         if self.engine.lanes.is_unknown() {
-            // Nothing can be compared behind the ticks before this window.
+            // Nothing after the ticks before this window can be compared.
             self.recording.feed.lose(from + 1);
             self.sinks.replayed.take_all();
         } else {
@@ -296,7 +292,7 @@ impl Replay {
         Ok(())
     }
 
-    /// Learns of a voice, and sends it to the telemetry, which then uses the same probes.
+    /// Adds a voice and sends it to the telemetry, which then uses the same probes.
     fn voice(&mut self, message: &Voice) -> Result<(), ReplayError> {
         let model = self.recording.versions.model(message)?;
         let played = KeyVoice { model, values: message.values.clone() };
@@ -359,7 +355,7 @@ impl Replay {
             different,
             first_difference: first,
             incomplete_from,
-            // Damage behind the last tick takes nothing away that would be replayed.
+            // Damage behind the last tick does not shorten the replay.
             damage: self.result.damage.filter(|_| incomplete_from.is_some()),
             ..self.result
         }

@@ -1,5 +1,3 @@
-//! Versions of descriptions that a recording contains.
-
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -10,17 +8,17 @@ use telemetry::{Catalogue, Voice};
 
 use super::ReplayError;
 
-/// The versions of descriptions that were told of, by their numbers.
+/// Recorded versions of descriptions, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RecordedVersions {
-    /// Reads what the recording contains, without the disk.
+    /// Reads the recorded texts, without the disk.
     pub(super) library: Library,
     models: BTreeMap<u32, Arc<LoadedModel>>,
 }
 
 impl RecordedVersions {
-    /// Reads the descriptions of `catalogue` that are not known yet, from the texts in it: whatever
-    /// stands in files of the same names now is not looked at.
+    /// Reads the new descriptions of `catalogue` from the texts in it, whatever the files of the
+    /// same names contain now.
     pub(super) fn learn(&mut self, catalogue: &Catalogue) -> Result<(), ReplayError> {
         for description in &catalogue.descriptions {
             if self.models.contains_key(&description.version) {
@@ -37,7 +35,6 @@ impl RecordedVersions {
         Ok(())
     }
 
-    /// Returns the model of a recorded voice.
     pub(super) fn model(&self, voice: &Voice) -> Result<Arc<LoadedModel>, ReplayError> {
         let found = match voice.version {
             0 => self.library.find(&voice.model, Path::new("")).ok(),

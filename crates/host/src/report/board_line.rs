@@ -1,5 +1,3 @@
-//! The part of a report about one board.
-
 use std::fmt;
 
 use boards::identity::ClaimedKeys;
@@ -10,7 +8,7 @@ use boards::rt::key_fault::KeyFault;
 use firmware_protocol::key::{KeyIndex, MOST_KEYS};
 use serde::Serialize;
 
-/// One board of a run.
+/// The part of a report about one board.
 #[derive(Clone, Debug, Serialize)]
 pub struct BoardLine {
     pub link: String,
@@ -20,97 +18,91 @@ pub struct BoardLine {
     pub frames: BoardFrames,
     #[serde(flatten)]
     pub clock: BoardClock,
-    /// Requests beside the forces that it declined: gestures, pings.
+    /// Declined requests other than forces: gestures, pings.
     pub declined: u64,
-    /// Times that it was armed again.
     pub rearmed: u64,
     /// `armed`, or the reason why it renders no force.
     pub state: String,
-    /// `true` if its keys are calibrated by its file, and not by its own description.
+    /// `true` if its keys are calibrated by a file, not by the board's own description.
     pub calibrated: bool,
     #[serde(flatten)]
     pub guarded: GuardedKeys,
     #[serde(flatten)]
     pub timing: SampleTiming,
-    /// Times that it restarted, and the reason that it gave the last time.
+    /// Number of restarts and the reason of the last one.
     pub restarts: u64,
     pub reset_reason: u8,
-    /// The hottest motor that it reported (°C).
+    /// Hottest temperature of its motors (°C).
     pub hottest_c: Option<f64>,
-    /// The board's own counters, a second before the end.
+    /// The board's own counters, 1 s before the end.
     pub counted: Option<Counted>,
 }
 
 /// Frames that a board and the host exchanged.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct BoardFrames {
-    /// Samples that came, a second (1/s).
+    /// Received samples per second (1/s).
     pub samples_hz: f64,
-    /// Forces that the link took, a second (1/s).
+    /// Forces that the link accepted per second (1/s).
     pub forces_hz: f64,
-    /// Frames of samples that came.
+    /// Received sample frames.
     pub frames: u64,
-    /// Times that their numbers jumped.
+    /// Jumps of their numbers.
     pub gaps: u64,
-    /// Frames that those jumps passed over.
+    /// Frames that those jumps skipped.
     pub missing: u64,
-    /// Frames that came again or after newer ones.
+    /// Frames that arrived again or after newer ones.
     pub repeated_or_overtaken: u64,
-    /// Frames that were refused.
+    /// Rejected frames.
     pub refused: u64,
-    /// Forces that the link did not take.
+    /// Forces that the link rejected.
     pub unsent: u64,
 }
 
-/// A board's clock, as its answers show it.
+/// A board's clock, estimated from its answers.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct BoardClock {
-    /// Round trips, if there were any.
     pub round_trip_us: Option<RoundTrips>,
-    /// Drift against the host's clock (1e-6).
     pub drift_ppm: f64,
-    /// Times that it jumped.
     pub clock_jumps: u64,
 }
 
 /// Keys whose samples or forces the guards changed.
 #[derive(Clone, Debug, Serialize)]
 pub struct GuardedKeys {
-    /// Readings that were not used, since no key can be there.
+    /// Discarded readings at positions that no key can reach.
     pub implausible: u64,
-    /// Keys that are not played any more, and why.
+    /// Keys that are no longer played, with the reason.
     pub muted: Vec<MutedKey>,
-    /// Keys that get half their force since they shook.
+    /// Keys at half their force after they shook.
     pub softened: Vec<String>,
-    /// Keys whose motors were not proven, since they never came to rest.
+    /// Keys that never came to rest, so their motors were not proven.
     pub unproven: Vec<String>,
-    /// Readings that were left out, since they left the key's trend and returned to it.
+    /// Omitted readings that left the key's trend and returned to it.
     pub glitches: u64,
-    /// Times that a force was not allowed to rise as fast as its model asked.
+    /// Forces that rose less than the model asked.
     pub limited_rises: u64,
-    /// Forces that continued from the last one after a gap, instead of stepping.
+    /// Forces that continued from the last one after a gap instead of stepping.
     pub blended: u64,
 }
 
-/// Times at which samples were taken and came, at the end of a run.
+/// Times of the taking and arrival of samples, at the end of a run.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct SampleTiming {
-    /// Time between two samples by the board's clock: median and 90 % (us).
+    /// Interval of samples by the board's clock: median and 90 % (us).
     pub sample_interval_us: Option<[u16; 2]>,
-    /// Time between bursts of samples (ms), if they came in bursts.
+    /// Interval of bursts of samples (ms), if they arrived in bursts.
     pub bursts_ms: Option<f64>,
-    /// By how many periods samples came later than when the board was armed, if too many.
+    /// Delay since arming (sample periods), if too large.
     pub late_periods: Option<f64>,
 }
 
-/// A key that is not played, since its sensor or its motor cannot be trusted.
+/// A key that is not played, since its sensor or motor cannot be trusted.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct MutedKey {
-    /// Its name, as C4.
+    /// Name, such as C4.
     pub key: String,
-    /// What is wrong with it.
     pub reason: &'static str,
-    /// What to do about it.
     pub remedy: &'static str,
 }
 
@@ -118,7 +110,7 @@ pub struct MutedKey {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct RoundTrips {
     pub p50: u32,
-    /// 99 of a hundred are shorter.
+    /// 99th percentile.
     pub p99: u32,
     pub max: u32,
 }
@@ -126,33 +118,30 @@ pub struct RoundTrips {
 /// A board's counters since it was switched on.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Counted {
-    /// Forces that it rendered.
     pub forces: u32,
-    /// Whole frames that it did not understand, or that were not for it.
+    /// Whole frames that were invalid or meant for others.
     pub refused: u32,
     /// Receptions that were no frame.
     pub corrupt: u32,
-    /// Forces that were stale, and not rendered.
+    /// Stale forces, not rendered.
     pub stale: u32,
-    /// Samples that were never answered.
     pub unanswered: u32,
-    /// Oldest samples that forces which it rendered answered (ms).
+    /// Age of the oldest samples behind a rendered force (ms).
     pub oldest_ms: f64,
-    /// Times that forces expired.
+    /// Expirations of forces.
     pub trips: u16,
 }
 
-/// Share of samples or forces whose loss is reported, and that makes a run a failure.
+/// Lost share of samples or forces that is reported, and makes a run a failure.
 const LOSS_TO_REPORT: f64 = 0.05;
 const LOSS_TO_FAIL: f64 = 0.25;
 
-/// Returns what became of a share of a board's samples, in words.
 fn percent_words(share: f64, what: &str) -> String {
     format!("{:.0} % of its samples were {what}: see to its link", 1e2 * share)
 }
 
 impl BoardLine {
-    /// Returns the line of `report`, after `seconds`.
+    /// Returns the line of `report` after `seconds` of run time.
     pub fn new(report: &BoardReport, seconds: f64) -> Self {
         let BoardReport { name, place, statistics, .. } = report;
         let (condition, (came, went)) = (&report.condition, report.exchanged);
@@ -215,7 +204,6 @@ impl BoardLine {
     }
 }
 
-/// Returns how far a board has been brought up, in words.
 pub(crate) fn stage_words(stage: ArmState) -> String {
     match stage {
         ArmState::Armed => "armed".into(),
@@ -230,7 +218,6 @@ pub(crate) fn stage_words(stage: ArmState) -> String {
     }
 }
 
-/// Returns why a board may not be armed, in words.
 fn bar_words(bar: ArmLockout) -> String {
     match bar {
         ArmLockout::Latched(reason) => reason_words(reason).into(),
@@ -263,7 +250,6 @@ fn bar_words(bar: ArmLockout) -> String {
     }
 }
 
-/// Returns what is done to a board whose samples have become later by so many periods.
 pub(crate) fn late_periods_words(periods: f64) -> String {
     format!(
         "its samples come {periods:.1} periods later than when it was armed, so it gets less force: \
@@ -271,7 +257,6 @@ pub(crate) fn late_periods_words(periods: f64) -> String {
     )
 }
 
-/// Returns what is noticed of `keys` that stand still.
 pub(crate) fn misplaced_words(keys: &str) -> String {
     format!(
         "{keys} stands still at neither its rest nor its bottom: unless a hand holds it, counts \
@@ -279,12 +264,10 @@ pub(crate) fn misplaced_words(keys: &str) -> String {
     )
 }
 
-/// Returns what is done to `keys` that shook.
 pub(crate) fn softened_words(keys: &str) -> String {
     format!("half of the force for {keys}, since it went to and fro: take a scene that is softer")
 }
 
-/// Returns what is done to `keys` whose motors wait for their proof.
 pub(crate) fn unproven_words(keys: &str) -> String {
     format!(
         "1 N at most for {keys} until it has come to rest and its motor is proven: a hand holds \
@@ -292,14 +275,14 @@ pub(crate) fn unproven_words(keys: &str) -> String {
     )
 }
 
-/// Returns the names of the keys of a board from `first_key` on whose bits are set.
+/// Returns the names of the keys whose bits are set; bit 0 is `first_key`.
 pub(crate) fn key_names(first_key: u8, slots: u16) -> Vec<String> {
     let keys = (first_key..).map_while(KeyIndex::new).take(MOST_KEYS).enumerate();
     let keys = keys.filter(|(slot, _)| slots >> slot & 1 == 1);
     keys.map(|(_, key)| key.to_string()).collect()
 }
 
-/// Returns the keys of a board from `first_key` on that were muted.
+/// Returns the muted keys of a board with this first key.
 pub(crate) fn muted_keys(first_key: u8, muted: &[Option<KeyFault>; MOST_KEYS]) -> Vec<MutedKey> {
     let keys = (first_key..).map_while(KeyIndex::new).zip(muted);
     let key = |(key, muted): (KeyIndex, &Option<KeyFault>)| {
@@ -316,7 +299,6 @@ impl fmt::Display for MutedKey {
     }
 }
 
-/// Prints the table of all boards, if there are any.
 pub(super) fn fmt_table(boards: &[BoardLine], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if boards.is_empty() {
         return Ok(());
@@ -329,7 +311,7 @@ pub(super) fn fmt_table(boards: &[BoardLine], f: &mut fmt::Formatter<'_>) -> fmt
 }
 
 impl BoardLine {
-    /// Returns what is wrong with it in the end, a sentence on each.
+    /// Returns a sentence on each fault at the end of the run.
     pub fn troubles(&self) -> Vec<String> {
         let name = format!("board {} on {}", self.number, self.link);
         let state = (self.state != "armed").then(|| self.state.clone());
@@ -352,23 +334,23 @@ impl BoardLine {
         let link = [never, self.untaken(), bursts, late, lost, unanswered];
         let board = [state, restarts, softened, unproven];
         let whole = board.into_iter().chain(link);
-        // Where no force was taken, no motor could move its key.
+        // Without accepted forces, no motor could move its key.
         let muted = self.guarded.muted.iter().filter(|_| self.untaken().is_none());
         let muted = muted.map(ToString::to_string);
         let all = whole.flatten().chain(muted);
         all.map(|it| format!("{name}: {it}")).collect()
     }
 
-    /// Returns the share of its samples that were lost on the way.
+    /// Returns the share of its samples that were lost.
     fn lost(&self) -> f64 {
         let BoardFrames { frames, missing, .. } = self.frames;
         missing as f64 / (frames + missing).max(1) as f64
     }
 
-    /// Returns the share of its samples that were never answered; those between its arming and the
-    /// first force are not meant to be.
+    /// Returns the share of its samples that were never answered, except those between arming and
+    /// the first force.
     fn unanswered(&self) -> f64 {
-        /// What a board sends meanwhile, and forces that make a share.
+        /// Samples that a board sends before the first force, and forces that make a share.
         const BEFORE: u32 = 300;
         const ENOUGH: u32 = 2_000;
         let counted = self.counted.filter(|it| ENOUGH <= it.forces);
@@ -378,9 +360,9 @@ impl BoardLine {
         })
     }
 
-    /// Returns why it rendered no force, if it took none of those that were sent.
+    /// Returns the reason if it accepted none of the sent forces.
     fn untaken(&self) -> Option<String> {
-        /// Forces in vain that are no accident of a start.
+        /// Rejected forces that are no accident of a start.
         const MANY: u64 = 200;
         let Counted { forces, refused, corrupt, stale, unanswered, .. } = self.counted?;
         let in_vain = [refused, corrupt, stale, unanswered].map(u64::from).iter().sum::<u64>();
@@ -393,7 +375,7 @@ impl BoardLine {
         ))
     }
 
-    /// Returns whether it or one of its keys was not played as it should.
+    /// Returns `true` if the board or one of its keys was not played as intended.
     pub fn has_failed(&self) -> bool {
         self.state != "armed"
             || self.was_never_heard()
@@ -406,7 +388,7 @@ impl BoardLine {
             || LOSS_TO_FAIL < self.lost().max(self.unanswered())
     }
 
-    /// Returns whether no sample of it came in the run.
+    /// Returns `true` if none of its samples arrived in the run.
     fn was_never_heard(&self) -> bool {
         self.frames.samples_hz <= 0.0
     }

@@ -1,27 +1,24 @@
-//! The fidelities that a run has chosen.
-
 use std::fmt;
 
 use serde::Serialize;
 
-/// The fidelity that a range of keys has got, for people and as JSON.
+/// The fidelity chosen for a range of keys, for people and as JSON.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct ChosenFidelity {
     pub keys: String,
     pub fidelity: &'static str,
-    /// The instrument that renders it.
     pub instrument: String,
-    /// The share of each lane's time that the range takes when all its keys move.
+    /// Share of each lane's time when all keys of the range move.
     pub share: f64,
-    /// The levels above it.
+    /// Levels above it.
     pub refused: Vec<RefusedFidelity>,
 }
 
-/// A fidelity that the budget does not allow.
+/// A fidelity above the budget.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct RefusedFidelity {
     pub fidelity: &'static str,
-    /// The share of each lane's time that it would take.
+    /// Share of each lane's time that it would need.
     pub share: f64,
 }
 

@@ -1,5 +1,3 @@
-//! The part of a report about one link.
-
 use std::fmt;
 
 use boards::keybed::{BoardReport, LineReport};
@@ -7,7 +5,7 @@ use boards::links::WireState;
 use boards::plan::{BusPlan, BusVerdict};
 use serde::Serialize;
 
-/// One link of a run.
+/// The part of a report about one link.
 #[derive(Clone, Debug, Serialize)]
 pub struct LinkLine {
     pub name: String,
@@ -16,44 +14,43 @@ pub struct LinkLine {
     pub load: LinkLoad,
     /// Receptions that were no frame.
     pub corrupt: u64,
-    /// Frames of no board that is known.
+    /// Frames of unknown boards.
     pub foreign: u64,
-    /// Receptions that failed because it was down.
+    /// Receptions that failed because the link was down.
     pub down: u64,
-    /// The state of its controller.
     pub state: &'static str,
-    /// Transmission errors, as its controller counts them up and down.
+    /// Transmission errors, which the controller counts up and down.
     pub transmit_errors: u8,
     pub receive_errors: u8,
-    /// Reports of errors that its controller gave.
+    /// Error reports of the controller.
     pub reports: u64,
-    /// Times that it was opened or started again.
+    /// Times that it was reopened or restarted.
     pub restarts: u64,
-    /// Frames that were dropped here, because those before were still on their way.
+    /// Frames dropped by the host because earlier ones were still on their way.
     pub dropped: u64,
-    /// The tight part of its plan, in a sentence.
+    /// Tight part of its plan; a sentence.
     pub warning: Option<String>,
-    /// The reason why it is down for good, in a sentence.
+    /// Reason why it is down for good; a sentence.
     pub fault: Option<String>,
 }
 
 /// Load of a link: planned, and measured in the run.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct LinkLoad {
-    /// Share of its time that was planned, at worst.
+    /// Planned share of its time, at worst.
     pub planned_load: Option<f64>,
-    /// Share of its time that was used, its payloads charged as the worst.
+    /// Used share of its time, payloads charged as the worst.
     pub seen_load: Option<f64>,
-    /// Share of its time that was used, its payloads charged as the best.
+    /// Used share of its time, payloads charged as the best.
     pub seen_load_least: Option<f64>,
-    /// Samples of each board that were planned, a second (1/s).
+    /// Planned samples of each board (1/s).
     pub planned_hz: Option<f64>,
-    /// Samples of each board that came, a second, on average (1/s).
+    /// Received samples of each board, on average (1/s).
     pub seen_hz: f64,
 }
 
 impl LinkLine {
-    /// Returns the row of `line` with its `plan`, after `seconds`; `boards` are those of all lines.
+    /// Returns the row of `line` after `seconds`; `boards` are those of all lines.
     pub fn new(
         line: &LineReport,
         plan: Option<&BusPlan>,
@@ -90,7 +87,6 @@ impl LinkLine {
     }
 }
 
-/// Returns what a line's controller does, in a word.
 pub(crate) const fn wire_words(state: WireState) -> &'static str {
     match state {
         WireState::Active => "active",
@@ -100,7 +96,7 @@ pub(crate) const fn wire_words(state: WireState) -> &'static str {
     }
 }
 
-/// Prints the table of all links, if there are any, and what is tight.
+/// Prints the table of all links, if any, and the tight ones.
 pub(super) fn fmt_table(lines: &[LinkLine], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if lines.is_empty() {
         return Ok(());

@@ -1,4 +1,4 @@
-//! The report of a run, for people and for programs.
+//! The report of a run, for people and programs.
 
 use std::fmt;
 
@@ -32,7 +32,6 @@ pub struct RunReport {
     pub scene: String,
     #[serde(flatten)]
     pub extent: RunExtent,
-    /// Rights that the system granted.
     pub realtime: Realtime,
     pub deadline: Deadline,
     /// Quality of the performance; `None` without a pianist.
@@ -41,18 +40,16 @@ pub struct RunReport {
     pub totals: VoiceTotals,
     /// Exchange with the boards, summed over them.
     pub links: LinkReport,
-    /// Each board, if there are real ones.
+    /// Real boards.
     pub boards: Vec<BoardLine>,
-    /// Each link to them.
     pub lines: Vec<LinkLine>,
     /// Energy audit of all voices (J).
     pub energy_audit: AuditReport,
     pub midi: MidiReport,
     pub recording: Option<RecordingReport>,
-    /// Work that was left out since ticks had more of it than time.
+    /// Work that was omitted because ticks had too little time.
     pub overload: OverloadReport,
-    /// The first 1000 places where ticks were never run, in order. A note that was played there may
-    /// be missing.
+    /// The first 1000 gaps of ticks, in order. A note that was played there may be missing.
     pub pauses: Vec<LostTicks>,
     /// Fidelity of the key ranges that left it to the host.
     pub fidelity: Vec<ChosenFidelity>,
@@ -61,18 +58,15 @@ pub struct RunReport {
 /// Voices, ticks and threads of a run, and its length.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct RunExtent {
-    /// Keys with a voice.
     pub voices: usize,
     pub tick_hz: u32,
-    /// Ticks that were run.
+    /// Ticks that ran.
     pub ticks: u64,
-    /// Ticks that were never run; `deadline` counts them as missed.
+    /// Ticks that never ran; `deadline` counts them as missed.
     pub skipped: u64,
-    /// Length of the run (s).
     pub duration_s: f64,
     /// `true` if `letoff stop` ended it: its boards render no force until they are restarted.
     pub stopped: bool,
-    /// Threads that shared the tick.
     pub lanes: usize,
 }
 
@@ -85,12 +79,12 @@ pub struct VoiceTotals {
     pub strikes: u64,
     /// Turns that ended in a fault.
     pub faults: u64,
-    /// Keys that were muted, because they made energy or failed again and again.
+    /// Keys muted because they generated energy or failed repeatedly.
     pub muted: Vec<String>,
     /// Key events for which a ring had no room.
     pub dropped: u64,
     pub work: Evaluations,
-    /// Steps, by whether a crossing can have been missed in them.
+    /// Steps by certainty of their crossings.
     pub steps: StepCounts,
 }
 
@@ -98,26 +92,24 @@ pub struct VoiceTotals {
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct RecordingReport {
     pub file: String,
-    /// Files that it takes.
     pub files: u64,
     pub messages: u64,
-    /// Bytes of all files.
     pub bytes: u64,
-    /// The reason why it ended early, in a sentence.
+    /// Reason of an early end; a sentence.
     pub trouble: Option<String>,
 }
 
 impl RunReport {
-    /// Returns what is wrong with links and boards when all is over, a sentence on each; nothing
-    /// after `letoff stop`, which is why boards render no force then.
+    /// Returns a sentence on each faulty link and board; none after `letoff stop`, since boards
+    /// render no force then.
     pub fn board_troubles(&self) -> Vec<String> {
         let faults = self.lines.iter().filter_map(|line| line.fault.clone());
         let boards = self.boards.iter().filter(|_| !self.extent.stopped);
         faults.chain(boards.flat_map(BoardLine::troubles)).collect()
     }
 
-    /// Returns whether a board or a key that was to be played was not, or only softly, or a link is
-    /// down for good.
+    /// Returns `true` if a board or a key was not played as intended, or only softly, or a link
+    /// is down for good.
     pub fn has_failed_board(&self) -> bool {
         let has_fault = self.lines.iter().any(|line| line.fault.is_some());
         let has_failed = self.boards.iter().any(BoardLine::has_failed);
@@ -130,53 +122,52 @@ impl RunReport {
 pub struct Realtime {
     /// Scheduling policy of the tick, or `virtual time`.
     pub policy: String,
-    /// Whether memory cannot be paged out.
+    /// `true` if memory cannot be paged out.
     pub memory_locked: bool,
-    /// Whether processors are kept from falling deeply asleep.
+    /// `true` if processors are kept from deep sleep.
     pub latency_held: bool,
-    /// The steps to get more rights, a sentence each.
+    /// Steps to get more rights, a sentence each.
     pub advice: Vec<String>,
 }
 
-/// Deadlines and what was measured around them.
+/// Deadlines and the measurements around them.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Deadline {
-    /// Ticks whose forces were out too late, or that were never run.
+    /// Ticks with late forces, or that never ran.
     pub missed: u64,
-    /// Of these, because the voices took too long.
+    /// Missed because the voices took too long.
     pub missed_own_work: u64,
-    /// Of these, with no more evaluations than a tick that was in time: no model took that time.
+    /// Of these, with no more evaluations than a tick in time, so no model took that time.
     pub own_work_unexplained: u64,
-    /// Ticks that had no time since simulated keys made up for ticks that were skipped.
+    /// Ticks without time because simulated keys made up for skipped ticks.
     pub by_simulated_keys: u64,
-    /// Of the missed, because the system woke the tick too late.
+    /// Missed because the system woke the tick too late.
     pub missed_woken_late: u64,
-    /// Of these, because the system took the processor away.
+    /// Missed because the system took the processor away.
     pub missed_preempted: u64,
-    /// How often the bare timer was woken later than what a usual tick has to spare; none in virtual
-    /// time.
+    /// Wake-ups of the bare timer later than the usual tick's spare time; `None` in virtual time.
     pub timer_stops: Option<u64>,
-    /// Time that a hypervisor took from all processors during the run, as the kernel counts it
-    /// (s); none where it does not.
+    /// Time that a hypervisor took from all processors during the run (s); `None` if the kernel
+    /// does not count it.
     pub stolen_s: Option<f64>,
     pub lateness_us: Quantiles,
     /// CPU time of a tick.
     pub work_us: Quantiles,
-    /// Samples in → forces out.
+    /// Time from samples in to forces out.
     pub turnaround_us: Quantiles,
-    /// Lateness of a bare timer thread of the same priority, beside.
+    /// Lateness of a bare timer thread of equal priority.
     pub timer_baseline_us: Quantiles,
 }
 
-/// Ticks in a row that were never run.
+/// Consecutive ticks that never ran.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct LostTicks {
-    /// When the first of them was due (s).
+    /// Due time of the first (s).
     pub at_s: f64,
     pub ticks: u64,
 }
 
-/// Quantiles of a distribution, in microseconds.
+/// Quantiles of a distribution (us).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[expect(missing_docs, reason = "the names say it")]
 pub struct Quantiles {
@@ -201,15 +192,15 @@ pub struct Evaluations {
     pub guards: u64,
 }
 
-/// The exchange on the links to the boards.
+/// Exchange on all links to the boards.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct LinkReport {
     pub frames: u64,
-    /// Frames that are known to be missing.
+    /// Frames known to be missing.
     pub gaps: u64,
-    /// Bytes or frames that were refused.
+    /// Rejected bytes or frames.
     pub refused: u64,
-    /// Times that boards were armed again after their watchdogs had taken the forces away.
+    /// Times that boards were rearmed after their watchdogs had removed the forces.
     pub rearmed: u64,
 }
 
@@ -217,15 +208,14 @@ pub struct LinkReport {
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MidiReport {
     pub output: String,
-    /// Handed over − happened, in real time.
+    /// Time from strike to hand-over, in real time.
     pub handover_us: Option<Quantiles>,
-    /// From there through the MIDI guardian to the port.
+    /// Time from hand-over through the MIDI guardian to the port.
     pub passed_on_us: Option<Quantiles>,
-    /// How often the host was silent for so long that the guardian ended its notes.
+    /// Silences of the host so long that the guardian ended its notes.
     pub interruptions: u64,
-    /// Messages that could not be sent.
     pub failed: u64,
-    /// The first reason, a sentence.
+    /// First reason; a sentence.
     pub trouble: Option<String>,
 }
 
@@ -280,11 +270,9 @@ impl fmt::Display for RunReport {
     }
 }
 
-/// Pauses that are printed, the longest of a run.
 const SHOWN_PAUSES: usize = 5;
 
 impl RunReport {
-    /// Prints where the longest pauses were.
     fn fmt_pauses(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut longest: Vec<_> = self.pauses.iter().filter(|it| 1 < it.ticks).collect();
         if longest.is_empty() {
@@ -349,7 +337,7 @@ impl Deadline {
 }
 
 impl MidiReport {
-    /// Returns the output in words, or why there is none.
+    /// Returns the name of the output, or the reason for its absence.
     pub(crate) fn words(&self) -> String {
         let Self { output, trouble, .. } = self;
         trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))

@@ -1,5 +1,3 @@
-//! What became of the notes of a performance.
-
 use std::collections::BTreeSet;
 use std::fmt;
 
@@ -11,48 +9,47 @@ use telemetry::key_name;
 /// The quality of a performance.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoteReport {
-    /// Pieces of the play list.
     pub pieces: usize,
-    /// Passes through the list that have begun; 1 unless it repeats.
+    /// Passes that have begun; 1 unless the list repeats.
     pub passes: u64,
     /// Notes that the pieces ask for within the run, in all passes.
     pub played: usize,
     pub struck: usize,
-    /// Notes asked for and not struck.
+    /// Notes that were not struck.
     pub missed: usize,
-    /// Strikes that the pieces do not have.
+    /// Strikes that are not in the pieces.
     pub extra: usize,
-    /// How far strikes were from their onsets, early or late (ms).
+    /// Distances of strikes from their onsets, early or late (ms).
     pub onset_error_ms: ErrorQuantiles,
-    /// How far strikes were from their notes, in MIDI velocities.
+    /// Distances of strikes from their notes (MIDI velocities).
     pub velocity_error: ErrorQuantiles,
-    /// Notes that are missed or late though the pianist played them, and strikes that the pieces
-    /// do not have, in order of time.
+    /// Notes that are missed or late though the pianist played them, and extra strikes, in order
+    /// of time.
     pub deviations: Vec<NoteDeviation>,
-    /// Softest and loudest speed of the hammer that every key of the pieces gives (m/s).
+    /// Softest and loudest hammer speed that every key of the pieces can reach (m/s).
     pub range_m_per_s: Option<(f64, f64)>,
-    /// What the pianist knew beforehand that the keys cannot do, in order of time; of one pass.
+    /// Predicted shortcomings of the keys in one pass, in order of time.
     pub shortfalls: Vec<NoteShortfall>,
-    /// Notes of the pieces that are not among those asked for; of one pass.
+    /// Notes that are not asked for, in one pass.
     pub unplayed: UnplayedNotes,
 }
 
-/// Notes of a piece that the pianist does not play at all, or not by themselves.
+/// Notes that the pianist does not play, or not on their own.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct UnplayedNotes {
-    /// How many are on keys that have no voice in the scene.
+    /// Notes on keys without a voice in the scene.
     pub without_voice: usize,
-    /// The names of these keys, from the lowest on.
+    /// Names of these keys, ascending.
     pub keys_without_voice: Vec<String>,
-    /// How many are not on the 88 keys, or percussion.
+    /// Notes beyond the 88 keys, or percussion.
     pub outside: u32,
-    /// How many begin while their key is held by another: that one ends, or both are one.
+    /// Notes that begin while another holds their key: that one ends, or both merge.
     pub overlapping: u32,
 }
 
 impl UnplayedNotes {
-    /// What is said of notes on `keys` (0 to 87) that have no voice, one key for each note, of
-    /// notes outside of the keyboard, and of those that overlap on their key.
+    /// Counts notes without a voice on `keys` (0 to 87, one per note), outside of the keyboard,
+    /// and overlapping.
     pub fn new(keys: &[u8], outside: u32, overlapping: u32) -> Self {
         let names: BTreeSet<u8> = keys.iter().copied().collect();
         let names = names.into_iter().filter_map(KeyIndex::new).map(|key| key.to_string());
@@ -84,21 +81,19 @@ impl UnplayedNotes {
     }
 }
 
-/// A note that the keys cannot play as it is written.
+/// A note that the keys cannot play as written.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoteShortfall {
-    /// Name of the key, as C4.
+    /// Name of the key, such as C4.
     pub key: String,
-    /// When it should be heard (s since the start of the run).
+    /// Intended time of sounding (s since the start of the run).
     pub at_s: f64,
-    /// Whether the note is left out.
+    /// `true` if the note is left out.
     pub is_left_out: bool,
-    /// What cannot be done.
     pub why: String,
 }
 
 impl NoteShortfall {
-    /// What is said of a stroke that falls short.
     pub fn new(short: &ShortStroke) -> Self {
         Self {
             key: key_name(short.key.into()),
@@ -116,16 +111,15 @@ impl fmt::Display for NoteShortfall {
     }
 }
 
-/// A note that is missed or late, or a strike that the piece does not have.
+/// A missed or late note, or an extra strike.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoteDeviation {
-    /// Name of the key, as C4.
     pub key: String,
-    /// When the note should be heard, or an extra strike was (s since the start of the run).
+    /// Intended time of the note, or time of the extra strike (s since the start of the run).
     pub at_s: f64,
     /// `missed`, `late` or `extra`.
     pub what: &'static str,
-    /// How late the strike was (ms); none unless the note is late.
+    /// Lateness of the strike (ms); `None` unless the note is late.
     pub late_ms: Option<f64>,
 }
 
@@ -158,7 +152,6 @@ pub struct ErrorQuantiles {
 }
 
 impl NoteReport {
-    /// What is said of a performance that went as assessed, with the notes that fell short.
     pub fn new(it: &Assessment, shortfalls: &[ShortStroke]) -> Self {
         let spread =
             |it: &pianist::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
@@ -231,12 +224,11 @@ impl NoteReport {
     }
 }
 
-/// Names the first few of `notes`, a line each, and says how many more there are.
+/// Prints the first few of `notes`, a line each, and the number of the others.
 fn fmt_first<T: fmt::Display>(
     f: &mut fmt::Formatter<'_>,
     mut notes: impl ExactSizeIterator<Item = T>,
 ) -> fmt::Result {
-    /// Most notes that are named one by one.
     const NAMED: usize = 8;
     for note in notes.by_ref().take(NAMED) {
         writeln!(f, "                {note}")?;

@@ -1,5 +1,3 @@
-//! What was left out, since ticks had more work than time.
-
 use std::fmt;
 use std::sync::atomic::Ordering;
 
@@ -9,30 +7,28 @@ use telemetry::key_name;
 
 use crate::adapters::observer::OverloadCounters;
 
-/// What was left out of a run.
+/// Work that was omitted in a run because ticks had too little time.
 #[derive(Clone, PartialEq, Debug, Default, Serialize)]
 pub struct OverloadReport {
-    /// What was left out for how long; nothing if there was no need.
     pub left_out: Vec<LeftOut>,
-    /// Turns of voices that had to wait, since their lanes had no time left.
+    /// Turns of voices that waited because their lanes had no time left.
     pub waited: u64,
-    /// The keys of these voices.
     pub waited_keys: Vec<String>,
     /// Ticks in which voices waited although there was time: an error of the host.
     pub starved: u64,
 }
 
-/// Something that was left out.
+/// A kind of omitted work.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct LeftOut {
-    /// What, as scenes name it.
+    /// Name in scenes.
     pub what: &'static str,
-    /// For how long in all (s).
+    /// Total time (s).
     pub seconds: f64,
 }
 
 impl OverloadReport {
-    /// Returns what `counters` say, of ticks at `tick_hz` (1/s).
+    /// Evaluates `counters` of ticks at `tick_hz` (1/s).
     pub(crate) fn new(counters: &OverloadCounters, tick_hz: u32) -> Self {
         let ticks = Simplification::ALL.into_iter().zip(counters.ticks());
         let left_out = ticks.filter(|(_one, ticks)| 0 < *ticks).map(|(one, ticks)| LeftOut {

@@ -1,26 +1,24 @@
-//! How many steps were certain.
-
 use std::fmt;
 
 use serde::Serialize;
 
-/// Steps of all voices, by whether a crossing of the computed orbit can have been missed.
+/// Steps of all voices, by certainty of their crossings.
 ///
 /// A tick of one key is one step, or several where an event or the model cuts it.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
 pub struct StepCounts {
-    /// Steps in which no crossing of the orbit as it was computed was missed.
+    /// Steps in which no crossing of the computed orbit was missed.
     pub certain: u64,
-    /// Steps of which that is not known.
+    /// Steps in which a crossing may have been missed.
     pub unknown: u64,
-    /// Those of both that belong to a tick of their key in which an event happened.
+    /// Steps of both kinds in ticks of their key with an event.
     pub in_ticks_with_events: u64,
     /// Share of certain steps in the other ticks, 0 to 1; `None` if there are none.
     pub certain_share_without_event: Option<f64>,
 }
 
 impl StepCounts {
-    /// From the certain and the unknown steps in ticks without events, and in those with events.
+    /// Counts certain and unknown steps of ticks without and with events.
     pub fn new(quiet: [u64; 2], with_event: [u64; 2]) -> Self {
         let n_quiet: u64 = quiet.iter().sum();
         Self {
@@ -31,7 +29,6 @@ impl StepCounts {
         }
     }
 
-    /// The counts in a sentence, and what certain means.
     pub(super) fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,

@@ -13,23 +13,20 @@ use scheduler::voice::VoiceOutput;
 
 use crate::report::{ChosenFidelity, RefusedFidelity};
 
-/// Of so many neighbours one is timed.
+/// One of so many neighbouring keys is timed.
 const SAMPLED: usize = 11;
-/// Of so many rounds the shortest counts: others were disturbed.
+/// Rounds of which the shortest counts, since others were disturbed.
 const ROUNDS: u64 = 3;
 /// Length of a round (s), in which the key goes down and up once.
 const ROUND: f64 = 0.35;
-/// Depth to which it goes (m): to the bed of most instruments.
+/// Depth of the motion (m): to the bed of most instruments.
 const DEPTH: f64 = 10.5e-3;
 
-/// Gives each range of `scene` that leaves it to the host the highest fidelity with which all keys
-/// together keep the scene's budget, or else the lowest; says what each has got.
+/// Gives each range of `scene` without a fixed fidelity the highest level with which all keys
+/// together keep the scene's budget, or else the lowest; returns the choices.
 ///
-/// Times voices on the calling thread. Without it every range has its highest: so it is in virtual
-/// time, where there is no deadline and two runs are alike.
-///
-/// # Errors
-/// If a voice is refused.
+/// Times voices on the calling thread. In virtual time, without deadlines and with equal runs,
+/// every range keeps its highest level instead.
 pub fn choose_fidelity(scene: &mut Scene) -> Result<Vec<ChosenFidelity>, BuildError> {
     let ranges = std::mem::take(&mut scene.fidelity.ranges);
     if ranges.is_empty() {
@@ -70,15 +67,15 @@ pub fn choose_fidelity(scene: &mut Scene) -> Result<Vec<ChosenFidelity>, BuildEr
     Ok(chosen.collect())
 }
 
-/// Returns the range that takes the largest share and has another level; `has_more` is asked with
-/// its place and how many it has tried.
+/// Returns the range with the largest share that has another level; `has_more` gets its index
+/// and the number of levels that it has tried.
 fn costliest(shares: &[Vec<f64>], has_more: impl Fn(usize, usize) -> bool) -> Option<usize> {
     let share = |at: &usize| shares[*at].last().copied().unwrap_or(0.0);
     let lower = (0..shares.len()).filter(|at| has_more(*at, shares[*at].len()));
     lower.max_by(|a, b| share(a).total_cmp(&share(b)))
 }
 
-/// Returns the share of each lane's time that the keys of `range` take at `level`.
+/// Returns the share of each lane's time for the keys of `range` at `level`.
 fn level_share(scene: &Scene, range: KeyRange, level: &FidelityLevel) -> Result<f64, BuildError> {
     let mut tried = scene.clone();
     tried.set_fidelity(range, level);
@@ -86,7 +83,7 @@ fn level_share(scene: &Scene, range: KeyRange, level: &FidelityLevel) -> Result<
     share(&tried, &keys)
 }
 
-/// Returns the share of each lane's time that `keys` of a scene take when they all move.
+/// Returns the share of each lane's time for `keys` of a scene when they all move.
 fn share(scene: &Scene, keys: &[usize]) -> Result<f64, BuildError> {
     let builder = VoiceBuilder::new(scene)?;
     let voices: Vec<_> = keys.iter().filter_map(|key| scene.keys[*key].as_ref()).collect();
@@ -103,7 +100,7 @@ fn share(scene: &Scene, keys: &[usize]) -> Result<f64, BuildError> {
     })
 }
 
-/// Returns the processor's mean time for a tick of `voice` while its key goes down and up (s).
+/// Returns the mean CPU time for a tick of `voice` while its key goes down and up (s).
 fn tick_cost(builder: &VoiceBuilder<'_>, voice: &KeyVoice) -> Result<f64, BuildError> {
     let period = builder.period().as_secs_f64();
     let mut voice = builder.voice(voice, Arc::default())?;
@@ -120,7 +117,7 @@ fn tick_cost(builder: &VoiceBuilder<'_>, voice: &KeyVoice) -> Result<f64, BuildE
         }
         clock::thread_cpu().since(begun)
     };
-    // The first round warms caches up.
+    // The first round warms the caches.
     let shortest = (0..=ROUNDS).map(|it| round(it * ticks)).skip(1).min();
     Ok(shortest.unwrap_or(Nanos::ZERO).as_u64() as f64 * 1e-9 / ticks as f64)
 }

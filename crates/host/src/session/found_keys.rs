@@ -1,5 +1,3 @@
-//! The keys that a scene asks for, as they were found.
-
 use boards::sim::keybed::SimulatedKeybed;
 use engine::voice::VoiceBuilder;
 use keyboard::{KeyIndex, KeyRange};
@@ -13,7 +11,7 @@ use figures::stability::instabilities;
 
 /// Keys before a run, and the scene that plays on them.
 pub struct FoundKeys {
-    /// The scene with a voice on these keys only, and with the delay of their links.
+    /// The scene with voices on these keys only, and with the delay of their links.
     pub scene: Box<Scene>,
     pub(super) source: KeySource,
 }
@@ -25,12 +23,11 @@ impl std::fmt::Debug for FoundKeys {
 }
 
 impl FoundKeys {
-    /// Simulates the keys of `scene`, or finds the boards that carry them; arms none. What is
-    /// missing, or is late in this moment, is tried again for 5 s; in virtual time once, since
-    /// another try would be the same.
+    /// Simulates the keys of `scene`, or finds the boards that carry them; arms none. Missing or
+    /// late boards are tried again for 5 s; in virtual time once, since a retry would be equal.
     ///
     /// # Errors
-    /// If links cannot be opened, boards are missing or refused, or their keys are not stable with
+    /// If links cannot be opened, boards are missing or rejected, or their keys are not stable with
     /// the delay of their links.
     pub fn find(scene: &Scene, options: RunOptions) -> Result<Self, SessionError> {
         let find = || {
@@ -63,7 +60,7 @@ impl FoundKeys {
         Ok(Self { scene, source })
     }
 
-    /// Refuses keys on boards that are not stable with the delay of their links.
+    /// Rejects keys on boards that are not stable with the delay of their links.
     fn refuse_unstable(&self) -> Result<(), SessionError> {
         if matches!(self.source, KeySource::Simulated(_)) {
             return Ok(());
@@ -75,7 +72,7 @@ impl FoundKeys {
         Err(SessionError::Unstable(unstable.join("\nletoff: ")))
     }
 
-    /// Returns notices about the keys before a run, a sentence on each.
+    /// Returns a sentence on each notice about the keys.
     pub fn notices(&self) -> Vec<String> {
         let keys = KeyIndex::all().filter(|key| is_absent(&self.scene, key.index()));
         let absent = without_board(&keys.collect::<Vec<_>>());
@@ -83,7 +80,7 @@ impl FoundKeys {
     }
 }
 
-/// Refuses boards that do not go by the time of the run.
+/// Rejects boards that do not follow the time of the run.
 fn refuse_other_time(boards: &Boards, options: RunOptions) -> Result<(), SessionError> {
     let (programs, real): (Vec<_>, Vec<_>) =
         boards.buses.iter().map(|bus| &bus.address).partition(|it| it.kind.is_in_lockstep);
@@ -96,7 +93,7 @@ fn refuse_other_time(boards: &Boards, options: RunOptions) -> Result<(), Session
     }
 }
 
-/// Returns the sentence about `keys` without a board, which are in order; `None` if there are none.
+/// Returns the sentence about `keys` without a board, in order; `None` if there are none.
 fn without_board(keys: &[KeyIndex]) -> Option<String> {
     let rows = keys.chunk_by(|key, next| key.number() + 1 == next.number());
     let ranges = rows.filter_map(|row| KeyRange::new(*row.first()?, *row.last()?));

@@ -1,5 +1,3 @@
-//! The keys before a run: simulated in this process, or on boards that were found.
-
 use boards::keybed::{Calibrated, Keybed, Offline, Terms, WantedBoards};
 use boards::plan::{BusPlan, BusVerdict};
 use haptics::plant::{MAX_DELAY_STEPS, MAX_SUBSTEP};
@@ -13,21 +11,20 @@ use crate::connected_boards::{self, PATIENCE_US, calibration, open_all, planning
 use engine::realtime::clock;
 use scene::{Boards, period_us};
 
-/// The keys before a run.
+/// Keys before a run.
 pub(super) enum KeySource {
-    /// Simulated in this process.
     Simulated(SimulatedKeys),
     /// On boards that were found and may be armed.
     Boards(Box<Keybed<Calibrated>>, Terms, Plans),
 }
 
-/// Longest delay that a rig can have (s); nothing is stable behind a longer one.
+/// Longest delay of a rig (s); nothing is stable behind a longer one.
 const LONGEST_DELAY: f64 = MAX_DELAY_STEPS as f64 * MAX_SUBSTEP;
 
-/// Finds the boards that a scene at `tick_hz` asks for; they are not armed yet.
+/// Finds the boards of a scene at `tick_hz` without arming them.
 ///
-/// More than their links can carry is refused: before they are opened if the scene lists the
-/// boards, else when those are known.
+/// An overload of their links is rejected: before the links are opened if the scene lists the
+/// boards, else when the boards are known.
 pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<KeySource, SessionError> {
     let terms = terms(boards, tick_hz)?;
     refuse_overload(&planning::listed(boards, tick_hz))?;
@@ -49,7 +46,6 @@ pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<KeySource, SessionEr
     Ok(KeySource::Boards(Box::new(calibrated), terms, plans))
 }
 
-/// Refuses plans that are more than their links can carry.
 fn refuse_overload<'a, P: IntoIterator<Item = &'a BusPlan>>(plans: P) -> Result<(), SessionError> {
     let refused = planning::sentences(plans, BusVerdict::Refused);
     if refused.is_empty() {
@@ -59,7 +55,6 @@ fn refuse_overload<'a, P: IntoIterator<Item = &'a BusPlan>>(plans: P) -> Result<
     }
 }
 
-/// Returns the terms for all boards.
 fn terms(boards: &Boards, tick_hz: u32) -> Result<Terms, SessionError> {
     Ok(Terms {
         period_us: period_us(tick_hz).ok_or(SessionError::BoardRate { tick_hz })?,
@@ -70,7 +65,7 @@ fn terms(boards: &Boards, tick_hz: u32) -> Result<Terms, SessionError> {
 }
 
 impl KeySource {
-    /// Returns whether there is a motor for the key with this index.
+    /// Returns `true` if the key with this index has a motor.
     pub(super) fn carries(&self, key: usize) -> bool {
         match self {
             Self::Simulated(_) => true,
@@ -78,16 +73,15 @@ impl KeySource {
         }
     }
 
-    /// Returns how long after a sample was taken the force that answers it acts (s), in ticks of
-    /// `period` (s): measured on boards' links, where samples wait for the next tick, half of one on
-    /// average.
+    /// Returns the time from a sample to the action of its force (s), in ticks of `period` (s):
+    /// measured on boards' links, where samples wait half a tick on average.
     pub(super) fn loop_delay(&mut self, period: f64) -> Option<f64> {
         let Self::Boards(keybed, ..) = self else { return None };
         let way = 1e-6 * keybed.round_trip_us()? as f64;
         Some((way + 0.5 * period).min(LONGEST_DELAY))
     }
 
-    /// Returns notices about the keys before a run, a sentence on each.
+    /// Returns a sentence on each notice about the keys.
     pub(super) fn notices(&self) -> Vec<String> {
         let Self::Boards(keybed, ..) = self else { return Vec::new() };
         let (boards, links): (Vec<_>, Vec<_>) = keybed
@@ -107,7 +101,6 @@ impl KeySource {
         )]
     }
 
-    /// Returns whether there are fingers that can play.
     pub(super) fn has_fingers(&self) -> bool {
         match self {
             Self::Simulated(_) => true,
@@ -115,7 +108,6 @@ impl KeySource {
         }
     }
 
-    /// Gives the performance's gestures to the simulated fingers.
     pub(super) fn load_gestures(&mut self, performance: &Performance) {
         if let Self::Simulated(SimulatedKeys { keybed, .. }) = self {
             for (key, gestures) in all_keys().zip(&performance.gestures) {
@@ -125,8 +117,8 @@ impl KeySource {
         }
     }
 
-    /// Arms boards, hands them the performance's gestures, and says from when on they count by the
-    /// boards' clock: not before `lead` has passed.
+    /// Arms boards and sends them the performance's gestures; returns the boards' time at which
+    /// the gestures begin, at least `lead` from now.
     pub(super) fn arm(
         self,
         prepared: &PreparedRun,

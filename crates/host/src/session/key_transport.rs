@@ -1,5 +1,3 @@
-//! The keys in a run: simulated in this process, or on armed boards.
-
 use std::time::Duration;
 
 use boards::keybed::{Armed, BoardReport, Keybed, LineReport};
@@ -21,19 +19,18 @@ use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
 use crate::report::{BoardLine, LinkLine, LinkReport};
 
-/// What each line shall carry; none where times are not known.
+/// Planned load of each line; `None` where times are not known.
 pub(super) type Plans = Vec<Option<BusPlan>>;
 
-/// The keys of a run.
+/// Keys in a run.
 pub(super) enum KeyTransport {
-    /// Keys that are simulated in this process.
     Simulated(SimulatedKeys),
-    /// Keys on armed boards, with what each line shall carry, and when tick 0 is due (us).
+    /// Keys on armed boards, the plan of each line, and the time at which tick 0 is due (us).
     Boards(Box<Keybed<Armed>>, Plans, u64),
 }
 
 impl KeyTransport {
-    /// Returns simulated keys, whose boards are armed again after a stall of the host.
+    /// Returns simulated keys whose boards are rearmed after a stall of the host.
     pub(super) fn simulated(mut keys: SimulatedKeys, prepared: &PreparedRun) -> Self {
         let keybed = &mut keys.keybed;
         prepared.handle.lend_fingers(keybed.press_requests());
@@ -50,7 +47,7 @@ impl KeyTransport {
         Self::Simulated(keys)
     }
 
-    /// Returns keys on armed boards whose lines carry what `plans` say, for ticks from `start` on.
+    /// Returns keys on armed boards for ticks from `start` on.
     pub(super) fn on_boards(
         mut keybed: Box<Keybed<Armed>>,
         plans: Plans,
@@ -79,7 +76,7 @@ impl KeyTransport {
     }
 }
 
-/// Tells telemetry where `samples` of these lines and boards come.
+/// Publishes the sources of `samples` to telemetry.
 fn publish(
     samples: Consumer<LinkSample>,
     lines: Vec<Line>,
@@ -99,7 +96,6 @@ fn publish(
     prepared.handle.tell(TelemetryMessage::Links(Box::new(watch)));
 }
 
-/// Returns a small count as the messages carry it.
 fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }
@@ -132,8 +128,8 @@ impl KeyBus for KeyTransport {
 }
 
 impl KeyTransport {
-    /// Exchanges with boards until tick 0 is due, so that they stay armed and tick 0 finds what is
-    /// new.
+    /// Exchanges with boards until tick 0 is due, so that they stay armed and tick 0 finds new
+    /// samples.
     pub(super) fn attend_until_start(&mut self) {
         let Self::Boards(keybed, _, start_us) = self else { return };
         while keybed.now_us() + keybed.period_us() < *start_us {
@@ -143,7 +139,7 @@ impl KeyTransport {
         keybed.clock().pause(Duration::from_micros(rest_us));
     }
 
-    /// Returns whether the keys feel forces after the last tick, until they are taken away.
+    /// Returns `true` if the keys feel forces after the last tick, until they are disarmed.
     pub(super) const fn outlives_the_run(&self) -> bool {
         match self {
             Self::Simulated(_) => false,
@@ -151,8 +147,7 @@ impl KeyTransport {
         }
     }
 
-    /// Tells boards to render no force until they are seen to; a simulated keybed ends with the
-    /// run.
+    /// Stops the forces of boards until they are restarted; a simulated keybed ends with the run.
     pub(super) fn stop(&mut self) -> BoardsTold {
         match self {
             Self::Simulated(_) => {
@@ -163,7 +158,7 @@ impl KeyTransport {
         }
     }
 
-    /// Tells boards to render no force; a simulated keybed ends with the run.
+    /// Stops the forces of boards; a simulated keybed ends with the run.
     pub(super) fn disarm(&mut self) {
         match self {
             Self::Simulated(_) => {}
@@ -171,7 +166,6 @@ impl KeyTransport {
         }
     }
 
-    /// What happened on all links together.
     pub(super) fn links(&self) -> LinkReport {
         match self {
             Self::Simulated(keys) => simulated_links(&keys.keybed),
@@ -179,7 +173,7 @@ impl KeyTransport {
         }
     }
 
-    /// What became of each line; nothing of simulated ones.
+    /// Returns a line on each link; none if simulated.
     pub(super) fn lines(&self, seconds: f64) -> Vec<LinkLine> {
         match self {
             Self::Simulated(_) => Vec::new(),
@@ -193,7 +187,7 @@ impl KeyTransport {
         }
     }
 
-    /// What became of each board in a run of `seconds`; nothing of simulated ones.
+    /// Returns a line on each board after `seconds` of run time; none if simulated.
     pub(super) fn boards(&self, seconds: f64) -> Vec<BoardLine> {
         match self {
             Self::Simulated(_) => Vec::new(),

@@ -1,5 +1,3 @@
-//! A run's measurements of time.
-
 use crate::report::{Deadline, Quantiles, Realtime};
 use engine::realtime::baseline;
 use engine::realtime::memory::Locked;
@@ -7,7 +5,6 @@ use engine::realtime::run::{Pause, Timings};
 use engine::realtime::thread::SchedulingPolicy;
 use engine::realtime::wake_latency::HeldLatency;
 
-/// The measured part of a report.
 #[derive(Debug)]
 pub(super) struct MeasuredRun {
     pub(super) realtime: Realtime,
@@ -17,7 +14,6 @@ pub(super) struct MeasuredRun {
 }
 
 impl MeasuredRun {
-    /// Returns the measurements of a run in real time.
     pub(super) fn new(
         timings: &Timings,
         standing: SchedulingPolicy,

@@ -1,5 +1,3 @@
-//! Opens the output that a scene asks for.
-
 use std::os::unix::fs::FileTypeExt as _;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -14,7 +12,7 @@ use crate::report::{MidiReport, Quantiles};
 use crate::session::{SessionError, patiently};
 use scene::{Midi, MidiOutput};
 
-/// An output that drops every message.
+/// Drops every message.
 #[derive(Clone, Copy, Debug)]
 struct Nowhere;
 
@@ -28,17 +26,16 @@ impl Output for Nowhere {
     }
 }
 
-/// Returns an output that sends nothing anywhere.
 pub(crate) fn nowhere() -> AnyOutput {
     Box::new(Nowhere)
 }
 
-/// What is known of an output that was opened.
+/// An open output and its report.
 #[derive(Clone, Debug)]
 pub(super) struct OpenedOutput {
-    /// Its part of the report, before the run.
+    /// Its part of the report before the run.
     pub(super) report: MidiReport,
-    /// What its guardian tells, if it has one.
+    /// Report of its guardian, if it has one.
     guardian: Arc<Mutex<GuardianReport>>,
 }
 
@@ -48,7 +45,7 @@ impl OpenedOutput {
         Self { report, guardian: Arc::default() }
     }
 
-    /// Returns its part of the report after the run: by this process and by the guardian.
+    /// Returns its part of the report after the run, by this process and by the guardian.
     pub(super) fn report(&self, played: PlaybackSummary) -> MidiReport {
         let guardian = self.guardian.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let trouble = played.trouble.or(guardian.trouble);
@@ -63,10 +60,9 @@ impl OpenedOutput {
     }
 }
 
-/// Opens the output, ports behind the guardian of `handle`, and returns it with what is known
-/// of it.
+/// Opens the output, ports behind the guardian of `handle`.
 ///
-/// A machine without MIDI is no error: the run goes on, and the report says what to do.
+/// A machine without MIDI is no error: the run continues, and the report names the remedy.
 pub(super) fn open(
     midi: &Midi,
     handle: &Arc<RunHandle>,
@@ -84,15 +80,15 @@ pub(super) fn open(
         MidiOutput::Raw(path) => {
             refuse_file(path)?;
             let name = format!("device {}", shown(path));
-            // The guardian may have been started elsewhere.
+            // The guardian may run in another directory.
             (GuardedPort::Raw(std::path::absolute(path)?), name)
         }
     };
-    // A synthesizer may start in this moment too.
+    // A synthesizer may start at the same time.
     patiently(|| open_now(&port, &name, handle))
 }
 
-/// Opens `port`, which people call `name`, behind the guardian of `handle`.
+/// Opens `port`, called `name` in messages, behind the guardian of `handle`.
 fn open_now(
     port: &GuardedPort,
     name: &str,
@@ -103,7 +99,7 @@ fn open_now(
         Ok((output, guardian)) => {
             Ok((output, OpenedOutput { guardian, ..OpenedOutput::new(name, None) }))
         }
-        // It plays all the same, as a host does that has no place for its sockets.
+        // It plays without a guardian, like a host without a folder for its sockets.
         Err(why @ GuardianTrouble::NoGuardian { .. }) => {
             match port.open().map_err(GuardianTrouble::from) {
                 Ok((output, trouble)) => {
@@ -116,7 +112,7 @@ fn open_now(
     }
 }
 
-/// Returns no output where the machine has no MIDI; refuses any other trouble.
+/// Returns the null output if the machine has no MIDI; rejects other failures.
 fn without_port(
     name: String,
     trouble: &GuardianTrouble,
@@ -130,7 +126,7 @@ fn without_port(
     }
 }
 
-/// Opens a port behind the guardian of `handle`, or in this process if there is to be none.
+/// Opens a port behind the guardian of `handle`, or in this process without one.
 fn open_port(
     port: &GuardedPort,
     handle: &Arc<RunHandle>,
@@ -148,7 +144,7 @@ fn open_port(
     Ok((Box::new(output), report))
 }
 
-/// Refuses a file in a folder that is not there, before the run: the file is written at its end.
+/// Rejects a file in a missing folder before the run, since the file is written at its end.
 fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
@@ -158,7 +154,7 @@ fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     }
 }
 
-/// Refuses a file or folder in the place of a device.
+/// Rejects a file or folder in the place of a device.
 fn refuse_file(path: &Path) -> Result<(), SessionError> {
     if path.metadata().is_ok_and(|there| there.is_file() || there.is_dir()) {
         return Err(SessionError::Midi(format!(
@@ -169,7 +165,7 @@ fn refuse_file(path: &Path) -> Result<(), SessionError> {
     Ok(())
 }
 
-/// Refuses a FIFO: to open one that nobody reads does not end.
+/// Rejects a FIFO, since opening one without a reader blocks for ever.
 fn refuse_pipe(path: &Path) -> Result<(), SessionError> {
     if path.metadata().is_ok_and(|there| there.file_type().is_fifo()) {
         return Err(SessionError::Midi(format!(

@@ -60,38 +60,35 @@ use play_list::RehearsedPlayList;
 pub use trial::RunTrial;
 use unit_costs::UnitCosts;
 
-/// The reason why a run could not be prepared or finished.
+/// Reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
-    /// The scene's values make no voice.
+    /// The values of the scene yield no voice.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A key cannot be rehearsed.
     #[error(transparent)]
     Rehearsal(#[from] RehearsalError),
-    /// The simulated keybed refuses the scene's period.
+    /// The simulated keybed rejects the scene's period.
     #[error("the simulated keybed cannot run the scene: {0}")]
     Keybed(#[from] boards::Error),
-    /// The performance cannot be read.
     #[error("the performance `{name}` cannot be played: {reason}")]
     Performance {
         name: String,
-        /// The mistake and the remedy.
         reason: String,
     },
     /// The MIDI file cannot be written there.
     #[error("the MIDI file {path} cannot be written: there is no folder {folder}; make it first")]
     NoFolder { path: String, folder: String },
-    /// The MIDI output is not one that can be opened.
+    /// The MIDI output is of no known kind.
     #[error("the MIDI output cannot be opened: {0}")]
     Midi(String),
-    /// The MIDI port is not there, or another program has it.
+    /// The MIDI port is missing, or another program has it.
     #[error("the MIDI output cannot be opened: {0}")]
     MidiPort(String),
-    /// Ports or interfaces cannot be opened: a sentence on each.
+    /// Ports or interfaces cannot be opened; a sentence on each.
     #[error("{0}")]
     Links(String),
-    /// Boards are missing, or may not be used.
+    /// Boards are missing or not usable.
     #[error(transparent)]
     Boards(#[from] boards::refusal::Refusals),
     /// Boards cannot exchange at this rate.
@@ -100,16 +97,14 @@ pub enum SessionError {
          give tick_hz = 1000, 500, 2000 or another that divides 10000"
     )]
     BoardRate {
-        /// The scene's rate.
         tick_hz: u32,
     },
-    /// A link cannot carry what the scene asks of it.
     #[error("{0}")]
     Overload(String),
-    /// Keys are not stable with the delay that was measured on their links: a sentence on each range.
+    /// Keys are not stable with the measured delay of their links; a sentence on each range.
     #[error("with the delay of these links, {0}")]
     Unstable(String),
-    /// Boards go by their own time.
+    /// Boards follow their own time.
     #[error(
         "boards go by their own time; leave --virtual-time out, or the links; only programs behind \
          rig: links go by virtual time"
@@ -123,30 +118,28 @@ pub enum SessionError {
          give --performance none, and play yourself"
     )]
     NoFingers,
-    /// The system gave no thread, descriptor or memory.
+    /// The system provided no thread, descriptor or memory.
     #[error("the system refused what a run needs: {0}")]
     System(#[from] std::io::Error),
-    /// Virtual time would never end.
     #[error("virtual time needs an end: give --duration, or a performance that does not repeat")]
     Endless,
-    /// A thread of ours panicked, which is a bug.
+    /// A thread of the host panicked, which is a bug.
     #[error("the {0} thread panicked: its notes were ended; please report what it printed")]
     Panicked(&'static str),
 }
 
-/// Whether time may heal the reason why a run does not begin.
+/// Chance that waiting removes the reason why a run does not begin.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Healing {
-    /// Within seconds: it was measured, or a device is not there yet.
+    /// Within seconds: it was measured, or a device is not connected yet.
     Soon,
-    /// Once something outside of the scene has changed.
+    /// After a change outside of the scene.
     Later,
-    /// Never: it stands in files or on the command line.
+    /// Never: it is in files or on the command line.
     Never,
 }
 
 impl SessionError {
-    /// Returns whether waiting can heal this.
     pub fn healing(&self) -> Healing {
         match self {
             Self::Boards(refusals) if refusals.may_pass_soon() => Healing::Soon,
@@ -170,13 +163,12 @@ impl SessionError {
     }
 }
 
-/// How long something that time may heal is tried again.
+/// Duration of the attempts for a failure that time may heal.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Time between two tries.
 const PAUSE: Duration = Duration::from_millis(250);
 
-/// Tries `attempt` again for seconds while time may heal its failure.
+/// Repeats `attempt` for [`PATIENCE`] while time may heal its failure.
 fn patiently<T>(mut attempt: impl FnMut() -> Result<T, SessionError>) -> Result<T, SessionError> {
     let begun = Instant::now();
     loop {
@@ -192,9 +184,9 @@ fn patiently<T>(mut attempt: impl FnMut() -> Result<T, SessionError>) -> Result<
 /// Options of the command line beyond the scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RunOptions {
-    /// Length of the run (s); to the end of the performance without.
+    /// Length of the run (s); `None` for the end of the performance.
     pub duration: Option<f64>,
-    /// Runs as fast as possible, with the same bits every time.
+    /// `true` to run as fast as possible, with the same bits every time.
     pub virtual_time: bool,
 }
 
@@ -207,7 +199,7 @@ const AFTERGLOW: f64 = 1.0;
 /// Key events that may wait for the MIDI thread; a chord of all keys makes 88.
 const RING: usize = 4096;
 
-/// Everything of one run, connected and at rest.
+/// A run, connected and at rest.
 pub struct RunSession {
     prepared: Box<PreparedRun>,
     keys: KeySource,
@@ -215,7 +207,7 @@ pub struct RunSession {
     observed: ObservedOutputs,
 }
 
-/// Parts of a run beside its keys and the MIDI dispatcher, which works on a thread of its own.
+/// Parts of a run without its keys and the MIDI dispatcher, which has its own thread.
 struct PreparedRun {
     plan: RunPlan,
     voices: Vec<(usize, BoxedVoice)>,
@@ -236,11 +228,10 @@ pub struct RunPlan {
     /// Fastest change of a force towards a voice (N/s).
     slew_limit: f64,
     overload: OverloadRules,
-    /// Keys with a voice.
     pub n_voices: usize,
     n_lanes: NonZeroUsize,
     threads: ThreadPlan,
-    /// Ticks that the run takes; `None` if it runs until it is stopped.
+    /// Ticks of the run; `None` if it runs until it is stopped.
     pub ticks: Option<u64>,
     virtual_time: bool,
 }
@@ -252,10 +243,7 @@ impl std::fmt::Debug for RunSession {
 }
 
 impl RunSession {
-    /// Connects everything that `scene` asks for; rehearses what its pianist will play.
-    ///
-    /// # Errors
-    /// If something that the scene names is not there or refused.
+    /// Connects all parts of `scene` and rehearses its pianist.
     pub fn prepare(
         scene: &Scene,
         options: RunOptions,
@@ -267,9 +255,6 @@ impl RunSession {
 
     /// Like [`Self::prepare`], but with keys that were found before, and with a caller-supplied
     /// `handle`. The handle stops the session and carries requests while it runs.
-    ///
-    /// # Errors
-    /// As [`Self::prepare`].
     pub fn prepare_behind(
         handle: Arc<RunHandle>,
         found: FoundKeys,
@@ -336,33 +321,32 @@ impl RunSession {
         Ok(Self { prepared: Box::new(prepared), keys, dispatcher, observed })
     }
 
-    /// Returns the settings of the run.
     pub const fn plan(&self) -> &RunPlan {
         &self.prepared.plan
     }
 
-    /// Ticks after which its play list begins again, if it does.
+    /// Returns the ticks of a pass, if its play list repeats.
     pub fn pass(&self) -> Option<u64> {
         self.prepared.play_list.as_ref()?.pass
     }
 
-    /// Returns the MIDI output in words, or why there is none.
+    /// Returns the name of the MIDI output, or the reason for its absence.
     pub fn midi(&self) -> String {
         self.prepared.midi.report.words()
     }
 
-    /// Returns the counters that are read while it runs.
+    /// Returns the counters, which may be read while it runs.
     pub fn counters(&self) -> Arc<LiveCounters> {
         Arc::clone(&self.prepared.counters)
     }
 
-    /// Returns the way into its lanes, once it runs in real time.
+    /// Returns the handle that reaches its lanes in real time.
     pub fn handle(&self) -> Arc<RunHandle> {
         Arc::clone(&self.prepared.handle)
     }
 
-    /// Has `trial` stand between the scheduler and the simulated keys, which it prepares here;
-    /// real keys are not tried.
+    /// Inserts `trial` between the scheduler and the simulated keys, which it prepares here; not
+    /// used for real keys.
     pub fn try_keys(
         &mut self,
         prepare: impl FnOnce(&mut SimulatedKeybed),
@@ -374,7 +358,7 @@ impl RunSession {
         }
     }
 
-    /// Sends MIDI to `output` instead of where the scene says.
+    /// Sends MIDI to `output` instead of the scene's.
     pub fn send_midi_to(&mut self, output: AnyOutput) {
         let sender = self.observed.sender();
         self.dispatcher.send_to(Box::new(MonitoredOutput { output, sender }));
@@ -386,9 +370,6 @@ impl RunSession {
     }
 
     /// Runs until the end or until `stop`, and reports.
-    ///
-    /// # Errors
-    /// If the system refuses threads, or one of ours panics.
     pub fn run(self, stop: &AtomicBool) -> Result<RunReport, SessionError> {
         let Self { prepared, keys, dispatcher, observed } = self;
         if prepared.plan.virtual_time {
@@ -407,7 +388,6 @@ impl PreparedRun {
         Ok(Timetable::new(Nanos::ZERO, period))
     }
 
-    /// Returns the scheduler of its ticks.
     fn scheduler(&self) -> Result<Box<Scheduler>, SessionError> {
         let mut scheduler =
             engine::realtime::run::scheduler(self.timetable()?, self.plan.slew_limit);
@@ -423,7 +403,6 @@ impl PreparedRun {
         Ok((lanes, swaps))
     }
 
-    /// Puts the report together when all is over.
     fn report(
         &self,
         ticks: u64,
@@ -462,7 +441,6 @@ impl PreparedRun {
     }
 }
 
-/// Returns the totals of a run that has ended.
 fn totals(counters: &LiveCounters) -> VoiceTotals {
     let load = |counter: &AtomicU64| counter.load(Ordering::Relaxed);
     VoiceTotals {
@@ -482,8 +460,8 @@ fn totals(counters: &LiveCounters) -> VoiceTotals {
     }
 }
 
-/// Returns what plays `events`, compares them with `performance`, and is alive while `counters`
-/// count ticks.
+/// Returns the player of `events`, which compares them with `performance` and shows life while
+/// `counters` count ticks.
 fn dispatcher(
     events: rtrb::Consumer<NoteEvent>,
     (output, curve): (AnyOutput, VelocityCurve),
@@ -498,8 +476,7 @@ fn dispatcher(
     dispatcher
 }
 
-/// Returns what compares strikes with `performance`, in which no strike is a note's that the
-/// pianist leaves out.
+/// Returns the assessor of `performance`, without the notes that the pianist leaves out.
 fn assessor(performance: &Performance) -> Assessor {
     let is_left_out = |note: &ExpectedNote| {
         let same = |it: &&ShortStroke| (it.key, it.onset) == (note.key, note.onset);
@@ -510,8 +487,7 @@ fn assessor(performance: &Performance) -> Assessor {
     Assessor::new(expected, left_out, performance.repeat)
 }
 
-/// Returns how the notes came out that the play list asks for before the run's end, after so many
-/// ticks and seconds.
+/// Assesses the notes of the play list up to the run's end, after so many ticks and seconds.
 fn notes(
     list: &RehearsedPlayList,
     assessor: Assessor,
@@ -531,18 +507,16 @@ fn notes(
     }
 }
 
-/// Returns where a run at `tick_hz` (1/s) lost ticks.
 fn lost_ticks(pauses: &[Pause], tick_hz: u32) -> Vec<LostTicks> {
     let seconds = |tick: u64| tick as f64 / f64::from(tick_hz);
     pauses.iter().map(|it| LostTicks { at_s: seconds(it.tick - it.lost), ticks: it.lost }).collect()
 }
 
-/// Returns every key's index; there are as many as the protocol has.
 fn all_keys() -> impl Iterator<Item = KeyIndex> {
     (0..=u8::MAX).map_while(KeyIndex::new)
 }
 
-/// Policy of a run that no clock decides.
+/// Policy of a run without a clock.
 fn no_clock() -> (Realtime, Deadline) {
     let realtime = Realtime {
         policy: "virtual time".into(),

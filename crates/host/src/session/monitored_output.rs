@@ -1,5 +1,3 @@
-//! A MIDI output whose messages are telemetry, too.
-
 use std::sync::mpsc;
 
 use midi::{Message, MidiSendError, Output};
@@ -8,7 +6,7 @@ use telemetry::{Midi, Update};
 use crate::midi_thread::AnyOutput;
 use crate::observe::TelemetryMessage;
 
-/// An output whose messages are also sent to telemetry.
+/// An output that also sends its messages to telemetry.
 pub(crate) struct MonitoredOutput {
     pub(crate) output: AnyOutput,
     pub(crate) sender: mpsc::Sender<TelemetryMessage>,
@@ -36,7 +34,6 @@ impl Output for MonitoredOutput {
     }
 }
 
-/// Returns a message in words.
 fn text_of(message: Message) -> String {
     match message {
         Message::NoteOn { note, velocity } => {

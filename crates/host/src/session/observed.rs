@@ -1,4 +1,4 @@
-//! A run's telemetry: from the tick's recorder to the telemetry thread.
+//! A run's telemetry: path from the tick's recorder to the telemetry thread.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -23,7 +23,7 @@ use engine::realtime::pool::BoxedVoice;
 use engine::voice::VoiceBuilder;
 use scene::{KeyVoice, Scene};
 
-/// Time between two looks at the rings: one frame of a screen.
+/// Interval of the polls of the rings: one frame of a screen.
 const LOOK: Duration = Duration::from_millis(16);
 
 /// Both observers of the tick.
@@ -43,7 +43,7 @@ impl TickObserver for Watchers {
     }
 }
 
-/// The outputs of what was recorded in the tick.
+/// Outputs of the tick's recorder.
 pub(super) struct ObservedOutputs {
     pulses: Pulses,
     telemetry: Box<TelemetryThread>,
@@ -51,8 +51,8 @@ pub(super) struct ObservedOutputs {
     sender: mpsc::Sender<TelemetryMessage>,
 }
 
-/// Returns the tick's recorder for a run of `scene` with ticks of `period` (s), and the outputs
-/// behind it.
+/// Returns the tick's recorder for a run of `scene` with ticks of `period` (s), and its
+/// outputs.
 pub(super) fn connect(
     scene: &Scene,
     period: f64,
@@ -70,7 +70,7 @@ pub(super) fn connect(
     Ok((recorder, ObservedOutputs { pulses, telemetry, catalogue, sender }))
 }
 
-/// Builds the voices of a scene, measures what their work costs, and sends them to telemetry.
+/// Builds the voices of a scene, measures their costs, and sends them to telemetry.
 pub(super) fn voices(
     builder: &VoiceBuilder<'_>,
     handle: &RunHandle,
@@ -91,7 +91,7 @@ pub(super) fn voices(
     Ok((voices, costs))
 }
 
-/// Returns the pedals of a play list, and tells all of them beforehand.
+/// Returns the pedals of a play list, and sends all of them to telemetry beforehand.
 pub(super) fn pedals(list: Option<&RehearsedPlayList>, handle: &RunHandle) -> Vec<PedalMove> {
     let Some(RehearsedPlayList { performance, pass, .. }) = list else { return Vec::new() };
     for pedal in &performance.pedals {
@@ -101,7 +101,7 @@ pub(super) fn pedals(list: Option<&RehearsedPlayList>, handle: &RunHandle) -> Ve
     performance.pedals.clone()
 }
 
-/// Notes for whoever asks what will run, with the ticks of a pass where the play list begins again.
+/// Describes the run for clients, with the ticks of a pass where the play list repeats.
 pub(super) fn describe(
     handle: &RunHandle,
     (scene, pass): (&Scene, Option<u64>),
@@ -118,20 +118,17 @@ pub(super) fn describe(
     });
 }
 
-/// Returns the message about a voice that the scene asks for.
 fn of_scene(key: usize, voice: &KeyVoice, revision: u32) -> TelemetryMessage {
     let origin = Origin { revision, instrument: None, writer: "scene", kept: false };
     observe::voice(u8::try_from(key).unwrap_or(u8::MAX), voice, origin)
 }
 
 impl ObservedOutputs {
-    /// Returns a way to send messages.
     pub(super) fn sender(&self) -> mpsc::Sender<TelemetryMessage> {
         self.sender.clone()
     }
 
-    /// Returns the loop's end and the telemetry of a run whose tick 0 is due at `began` (ns since
-    /// 1970).
+    /// Returns both ends of the telemetry of a run with tick 0 at `began` (ns since 1970).
     pub(super) fn begin(self, began: u64) -> (Pulses, Box<TelemetryThread>) {
         let Self { pulses, mut telemetry, catalogue, sender: _ } = self;
         telemetry.begin(began, *catalogue);
@@ -139,7 +136,6 @@ impl ObservedOutputs {
     }
 }
 
-/// The telemetry on its own thread.
 #[derive(Debug)]
 pub(super) struct RunningTelemetry {
     stop: Arc<AtomicBool>,
@@ -148,9 +144,6 @@ pub(super) struct RunningTelemetry {
 
 impl RunningTelemetry {
     /// Starts the thread.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
     pub(super) fn start(mut telemetry: Box<TelemetryThread>) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);
@@ -165,7 +158,7 @@ impl RunningTelemetry {
         Ok(Self { stop, thread })
     }
 
-    /// Handles what is left, and waits until all sinks are closed.
+    /// Handles the rest, and waits until all sinks are closed.
     ///
     /// # Errors
     /// If the thread panicked, which is a bug.

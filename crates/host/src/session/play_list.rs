@@ -1,4 +1,4 @@
-//! The virtual pianist: reads its pieces, rehearses them on the scene's own keys, sits down.
+//! The virtual pianist: reads its pieces, rehearses them on the scene's own keys, and plays.
 //!
 //! A play list is one long score, so that all of it is rehearsed before the first tick.
 
@@ -23,14 +23,14 @@ pub use pianist::Progress as PianistProgress;
 /// Silence between two pieces (s), in which fingers and strings come to rest.
 const REST: f64 = 2.0;
 
-/// A play list as it will be played.
+/// A play list, ready to be played.
 #[derive(Debug)]
 pub(super) struct RehearsedPlayList {
     pub(super) performance: Performance,
     pub(super) pieces: usize,
     /// Length of a pass in ticks, if the list repeats.
     pub(super) pass: Option<u64>,
-    /// Notes of the pieces that no key is asked for.
+    /// Notes of the pieces that are not asked for.
     pub(super) unplayed: UnplayedNotes,
 }
 
@@ -58,7 +58,7 @@ pub(super) fn rehearse(
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
         let keys = keys.lock().unwrap_or_else(PoisonError::into_inner);
-        // `within` left only notes on keys that are there.
+        // `within` left only notes on keys with a voice.
         keys[usize::from(key)].clone().unwrap_or_else(|| unreachable!("key {key} has no voice"))
     };
     let pianist = Pianist { curve: scene.midi.curve, technique, ..Pianist::default() };
@@ -68,14 +68,14 @@ pub(super) fn rehearse(
     };
     let mut performance = pianist.prepare(&score, instrument, rehearsed);
     work.verdict()?;
-    // Of a score that was cut, the length says too little.
+    // The length of a cut score is too small.
     let length = length.max(performance.end()) + REST - technique.lead_in;
     let pass = repeat.then(|| clock::nearest_integer((length / period).ceil()));
     performance.repeat = pass.map(|ticks| ticks as f64 * period);
     Ok(Some(RehearsedPlayList { performance, pieces: pieces.len(), pass, unplayed }))
 }
 
-/// Reads pieces as one score, in which one begins a rest after the other.
+/// Reads pieces as one score, with a rest between them.
 fn load_all(pieces: &[PerformanceSource]) -> Result<Score, SessionError> {
     let scores: Vec<_> = pieces.iter().map(load).collect::<Result<_, _>>()?;
     let lifted = scores.into_iter().map(Score::with_pedals_lifted);
@@ -96,10 +96,9 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
     score.map_err(|error| failed(&name, error.to_string()))
 }
 
-/// Has keys without dynamics played with an even touch, however their notes are written: nobody
-/// strikes an organ harder for a louder tone.
+/// Plays keys without dynamics with an even touch, however their notes are written: an organ gets
+/// no louder from a harder touch.
 fn without_dynamics(score: &mut Score, scene: &Scene) {
-    /// The velocity of that touch.
     const EVEN: u8 = 64;
     for note in &mut score.notes {
         let voice = scene.keys[usize::from(note.key)].as_ref();
@@ -120,7 +119,6 @@ impl Visitor for HasOneVelocity {
     }
 }
 
-/// Returns the key of every voice, at rest.
 fn keys_of(
     builder: &VoiceBuilder<'_>,
     work: &Arc<RehearsalWork>,
@@ -133,8 +131,8 @@ fn keys_of(
     Ok(keys)
 }
 
-/// Returns the ticks of `period` (s) that a rehearsal of `score` takes at least: each key's up to
-/// its last note.
+/// Returns a lower bound for the ticks of `period` (s) of a rehearsal: each key's up to its last
+/// note.
 fn least_ticks(score: &Score, period: f64) -> f64 {
     let mut last = BTreeMap::<u8, f64>::new();
     for note in &score.notes {
@@ -144,8 +142,8 @@ fn least_ticks(score: &Score, period: f64) -> f64 {
     last.into_values().sum::<f64>() / period
 }
 
-/// Returns the part of `score` that is struck before `duration` (s) on keys that have a voice, and
-/// which of its notes are left out.
+/// Returns the notes of `score` that are struck before `duration` (s) on keys with a voice, and
+/// the notes that are left out.
 fn within(
     mut score: Score,
     duration: Option<f64>,

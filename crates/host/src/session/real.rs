@@ -1,4 +1,4 @@
-//! A run in real time: the tick on its own thread, MIDI on another, a bare timer beside.
+//! A run in real time: the tick, MIDI and a bare timer on their own threads.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -20,7 +20,7 @@ use engine::realtime::wake_latency::HeldLatency;
 use engine::realtime::{memory, run as ticks};
 use telemetry::HostState;
 
-/// Runs until its end or `stop`; ramps all forces down; then reports.
+/// Runs until its end or `stop`, ramps all forces down, and reports.
 pub(super) fn run(
     mut prepared: Box<PreparedRun>,
     keys: KeySource,
@@ -38,7 +38,7 @@ pub(super) fn run(
     handle.status.enter(HostState::Starting);
     let (mut bus, start) = emergency.while_arming(|| keys.arm(&prepared, LEAD))?;
     if emergency.is_asked() {
-        // No tick is run; boards that were just armed are told below.
+        // No tick is run; boards that were just armed are stopped below.
         stop.store(true, Ordering::Release);
     }
     let handover = histogram().map_err(std::io::Error::other)?;
@@ -53,7 +53,7 @@ pub(super) fn run(
     )?;
     let timetable = prepared.timetable()?.moved(0, start);
     let baseline = Baseline::start(timetable, prepared.plan.threads.for_timer())?;
-    // The scope joins the tick's thread whatever happens, so a panic there ends here.
+    // The scope joins the tick's thread in every case, so a panic there ends here.
     let ticked = std::thread::scope(|scope| {
         let named = std::thread::Builder::new().name("letoff-tick".into());
         let tick = named.spawn_scoped(scope, || tick(&mut prepared, &mut bus, pulses, start, stop));
@@ -63,7 +63,7 @@ pub(super) fn run(
     let baseline = baseline.stop();
     let ending = if emergency.is_asked() { NoteEnding::Emergency } else { NoteEnding::Regular };
     let played = midi.finish(ending).map_err(|_panic| SessionError::Panicked("MIDI"))?;
-    // Also after a panic, and for an alarm that came when the last tick was over.
+    // Also after a panic, and for an alarm after the last tick.
     if !emergency.is_asked() {
         bus.disarm();
     } else if emergency.answered().is_none() {
@@ -75,7 +75,7 @@ pub(super) fn run(
     Ok(prepared.report(timings.counters().ticks, played, measured, &bus))
 }
 
-/// Runs the tick's thread, from its priority to the ramp at the end.
+/// Runs the tick's thread, from setting its priority to the final ramp.
 fn tick(
     prepared: &mut PreparedRun,
     bus: &mut KeyTransport,
@@ -117,7 +117,7 @@ fn tick(
     Ok((timings, standing))
 }
 
-/// Returns when it will be `start` by the clock on the wall (ns since 1970).
+/// Converts `start` to wall-clock time (ns since 1970).
 fn since_1970(start: Nanos) -> u64 {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     let now = now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX));

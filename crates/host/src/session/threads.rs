@@ -1,5 +1,3 @@
-//! What a scene asks for the threads of its tick, on this machine.
-
 use std::num::NonZeroUsize;
 
 use engine::realtime::affinity;
@@ -9,13 +7,11 @@ use scheduler::time::Nanos;
 
 use super::RunOptions;
 
-/// Most threads that share the tick.
 const MOST_LANES: usize = 16;
 
-/// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// Returns what is asked of the system for the lanes of `scene`: nothing in virtual time.
+/// Returns the thread plan of `scene`; empty in virtual time.
 pub(super) fn plan(scene: &Scene, options: RunOptions) -> ThreadPlan {
     if options.virtual_time {
         return ThreadPlan::default();
@@ -29,13 +25,13 @@ pub(super) fn plan(scene: &Scene, options: RunOptions) -> ThreadPlan {
     ThreadPlan { policy, cpus: cpus(&scene.realtime, affinity::isolated) }
 }
 
-/// Returns the processors of the lanes; none for any.
+/// Returns the processors of the lanes; empty for any.
 fn cpus(rules: &ThreadRules, isolated: impl FnOnce() -> Vec<usize>) -> Vec<usize> {
     let is_free = rules.cpus.is_empty() && rules.policy == ThreadPolicy::Auto;
     if is_free { isolated() } else { rules.cpus.clone() }
 }
 
-/// Returns how many threads share the tick of `scene`.
+/// Returns the number of threads that share the tick of `scene`.
 pub(super) fn lanes(scene: &Scene) -> NonZeroUsize {
     // Respects the affinity of the process and the quota of its control group.
     let processors = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
@@ -43,7 +39,7 @@ pub(super) fn lanes(scene: &Scene) -> NonZeroUsize {
     NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN)
 }
 
-/// Returns the same, with `n_cpus` processors of our own, or none, and `processors` for anybody.
+/// Like [`lanes`], with `n_cpus` reserved processors, if any, and `processors` otherwise.
 fn count(scene: &Scene, n_cpus: usize, processors: impl FnOnce() -> usize) -> usize {
     match scene.realtime.lanes {
         LaneCount::Count(count) => count,

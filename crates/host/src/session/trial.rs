@@ -1,4 +1,4 @@
-//! A run that is tried: faults on its simulated keys and wires, and a close look at all of them.
+//! Trials of runs: faults on simulated keys and wires, and a check of every tick.
 
 use boards::sim::keybed::SimulatedKeybed;
 use engine::realtime::clock;
@@ -6,28 +6,27 @@ use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 use scheduler::time::Nanos;
 
-/// A trial of a run on simulated keys, which stands between them and the scheduler.
+/// A trial of a run, between its simulated keys and the scheduler.
 ///
 /// # Real-time
 /// In a run in real time it is called in the tick.
 pub trait RunTrial: Send {
-    /// Sees what came of all keys in `tick`, and may spoil it.
+    /// Receives the samples of all keys in `tick`, and may spoil them.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
 
-    /// Sees what was sent to all keys in `tick` (N), and the keys themselves.
+    /// Receives the forces for all keys in `tick` (N), and the keys themselves.
     fn send(&mut self, tick: u64, forces: &[f64; KEYS], keybed: &SimulatedKeybed);
 }
 
-/// Simulated keys, which may be on trial.
+/// Simulated keys, with an optional trial.
 pub(super) struct SimulatedKeys {
     pub(super) keybed: Box<SimulatedKeybed>,
     pub(super) trial: Option<Box<dyn RunTrial>>,
-    /// CPU time that they took in the last tick.
+    /// CPU time of the keys in the last tick.
     work: Nanos,
 }
 
 impl SimulatedKeys {
-    /// Returns the keys of `keybed`, which are not on trial.
     pub(super) const fn new(keybed: Box<SimulatedKeybed>) -> Self {
         Self { keybed, trial: None, work: Nanos::ZERO }
     }

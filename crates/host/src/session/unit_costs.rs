@@ -1,4 +1,4 @@
-//! Cost of a unit of work, measured before the first tick: a deadline can be kept from the start.
+//! Cost of a unit of work, measured before the first tick to keep deadlines from the start.
 
 use std::collections::BTreeMap;
 
@@ -9,16 +9,16 @@ use scheduler::time::Period;
 use scheduler::voice::{TurnRules, VoiceOutput};
 use scheduler::work::{TurnLimit, VoiceKind};
 
-/// Voices of each kind that are tried; the cheapest counts.
+/// Voices of each kind to try; the cheapest counts.
 const TRIED: usize = 3;
 
 /// Ticks of a trial, in which the key goes down.
 const TICKS: u64 = 40;
 
-/// Displacement of the key in a tick of the trial (m).
+/// Displacement of the key per tick of the trial (m).
 const STEP: f64 = 0.2e-3;
 
-/// Most units of a trial's turn: a model that fails takes a millisecond or two.
+/// Largest units of a trial's turn: a model that fails takes a millisecond or two.
 const LIMIT: u32 = 2000;
 
 /// Costs of a unit by kind of voice (ns), from copies of some voices.
@@ -28,7 +28,7 @@ pub(super) struct UnitCosts {
 }
 
 impl UnitCosts {
-    /// Tries `voice`, which is left as it is, in ticks of `period`, if others of its kind were not.
+    /// Tries a copy of `voice` in ticks of `period`, unless enough of its kind were tried.
     pub(super) fn try_voice(&mut self, voice: &AnyVoice, period: Period) {
         let (cost, n_tried) =
             self.known.entry(voice.internals().kind.0).or_insert((f64::INFINITY, 0));
@@ -38,14 +38,14 @@ impl UnitCosts {
         }
     }
 
-    /// Returns each kind that worked, with its cost (ns).
+    /// Returns the cost of each kind that worked (ns).
     pub(super) fn costs(&self) -> impl Iterator<Item = (VoiceKind, f64)> {
         let known = self.known.iter().map(|(kind, (cost, _))| (VoiceKind(*kind), *cost));
         known.filter(|(_, cost)| cost.is_finite())
     }
 }
 
-/// Returns what a unit of a voice costs (ns), if it did any work.
+/// Returns the cost of a unit (ns), if the voice did any work.
 fn measured(voice: &AnyVoice, period: Period) -> Option<f64> {
     let mut voice = voice.copy();
     voice.restrict(TurnRules { limit: TurnLimit::of(LIMIT), ..TurnRules::FREE });

@@ -13,10 +13,10 @@ use crate::report::RunReport;
 use engine::realtime::run::{Assembly, Until};
 use engine::realtime::virtual_time;
 
-/// Ticks between two looks at the rings.
+/// Ticks between two polls of the rings.
 const TICKS_PER_LOOK: u64 = 16;
 
-/// Runs all ticks; the MIDI side follows after each tick, on this thread.
+/// Runs all ticks; MIDI follows after each tick, on this thread.
 pub(super) fn run(
     mut prepared: Box<PreparedRun>,
     keys: KeySource,
@@ -31,7 +31,7 @@ pub(super) fn run(
     let (mut ticks, mut skipped) = (0, 0);
     let (mut bus, _start) = keys.arm(&prepared, LEAD)?;
     bus.attend_until_start();
-    // No clock decides anything: time begins at 0.
+    // No clock decides: time begins at 0.
     let (_no_clock, mut telemetry) = observed.begin(0);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,

@@ -1,5 +1,3 @@
-//! One simulated board in real time, with the faults that are injected into it.
-
 use boards::identity::ClaimedKeys;
 use boards::links::{Link, RecvError, SendError};
 use boards::refusal::reason_words;
@@ -10,7 +8,7 @@ use scheduler::time::Nanos;
 use super::fault_script::{FaultEvent, FaultScript};
 use super::{ExitReport, Placed};
 
-/// Force that counts as none (N).
+/// Largest force that counts as none (N).
 const NONE: f64 = 1e-3;
 
 /// Longest time until motors are without force: the fade of 10 ms, their lag, and a period of
@@ -22,13 +20,12 @@ const RELEASE_TIME: Nanos = Nanos::from_millis(15);
 pub struct BoardProcess {
     pub board: SimulatedBoard,
     placed: Option<Placed>,
-    /// Address that a host has to open.
     pub address: String,
-    /// The rate of its clock; 1 is right.
+    /// Rate of its clock; 1 is correct.
     rate: f64,
-    /// Time at which it was switched on.
+    /// Time of power-on.
     began: Option<Nanos>,
-    /// Time at which it was armed first.
+    /// Time of the first arming.
     armed: Option<Nanos>,
     faults: Vec<FaultScript>,
     next: usize,
@@ -37,24 +34,24 @@ pub struct BoardProcess {
     was_lit: bool,
     /// Times that its light went on.
     pub lights: u64,
-    /// Time until which it ran, and the longest pause before it ran again while armed.
+    /// Last time at which it ran, and the longest pause while it was armed.
     ran_until: Option<Nanos>,
     longest_gap: Nanos,
 }
 
-/// Check that the motors lose their force when the board has no right to render.
+/// Check that the motors lose their force when the board may not render.
 #[derive(Clone, Copy, Debug, Default)]
 struct ReleaseWatch {
     was_armed: bool,
-    /// Time at which the board lost that right, while its motors still push.
+    /// Time at which the board lost its permission, while its motors still push.
     fading: Option<Nanos>,
-    /// Longest time from the loss of that right until the motors rest.
+    /// Longest time from that loss until the motors rest.
     quiet_after: Option<Nanos>,
-    /// Largest force without that right (N).
+    /// Largest force without permission (N).
     force_while_safe: f64,
 }
 
-/// Times until which faults last.
+/// End times of active faults.
 #[derive(Clone, Copy, Debug, Default)]
 struct InjectedFaults {
     off: Nanos,
@@ -65,10 +62,7 @@ struct InjectedFaults {
 }
 
 impl BoardProcess {
-    /// Returns a board that is switched on when it first runs; its clock runs `ppm` too fast.
-    ///
-    /// # Errors
-    /// If no board can be made so.
+    /// Makes a board that powers on when it first runs; its clock runs `ppm` too fast.
     pub fn new(
         make: BoardMake,
         placed: Placed,
@@ -93,13 +87,11 @@ impl BoardProcess {
         })
     }
 
-    /// Returns the range of its keys.
     pub fn keys(&self) -> ClaimedKeys {
         let BoardMake { first_key, n_keys, .. } = *self.board.make();
         ClaimedKeys { first: first_key, n: u8::try_from(n_keys).unwrap_or(u8::MAX) }
     }
 
-    /// Runs until `now`.
     pub fn run(&mut self, now: Nanos) {
         let gap = now.since(self.ran_until.replace(now).unwrap_or(now));
         if self.release.was_armed {
@@ -130,7 +122,6 @@ impl BoardProcess {
         self.was_lit = is_lit;
     }
 
-    /// Returns what is reported of it at the end.
     pub fn exit_report(&self) -> ExitReport {
         ExitReport {
             number: self.board.make().id.number(),
@@ -146,7 +137,7 @@ impl BoardProcess {
         }
     }
 
-    /// Injects the next fault if its time has come.
+    /// Injects the next fault if it is due.
     fn inject_faults(&mut self, now: Nanos) {
         let (Some(armed), Some(fault)) = (self.armed, self.faults.get(self.next)) else { return };
         if now.since(armed).as_secs_f64() < fault.at {
@@ -166,7 +157,7 @@ impl BoardProcess {
         }
     }
 
-    /// Takes its power away until then; its memory is lost.
+    /// Removes its power until then; its memory is lost.
     fn switch_off(&mut self, until: Nanos) {
         if let Ok(board) = self.board.restarted() {
             self.board = board;
@@ -176,7 +167,6 @@ impl BoardProcess {
     }
 }
 
-/// Returns the largest force of the board's motors now (N).
 fn largest_force(board: &SimulatedBoard) -> f64 {
     let forces = (0..board.make().n_keys).filter_map(|slot| board.rig(slot));
     forces.fold(0.0, |most, rig| rig.motor_force().abs().max(most))
@@ -201,7 +191,7 @@ impl ReleaseWatch {
             }
             Some(since) if now.since(since) < RELEASE_TIME => {}
             None if is_armed => {}
-            // A force that came again, or that lasts too long.
+            // A repeated force, or one that lasts too long.
             Some(_) | None => self.force_while_safe = self.force_while_safe.max(force),
         }
     }
@@ -236,17 +226,16 @@ fn babble(now: Nanos, link: &mut impl Link) {
         state ^= state << 17;
         [*byte, ..] = state.to_le_bytes();
     }
-    // A link may refuse a frame that it cannot carry.
+    // A link may reject a frame that it cannot carry.
     let _taken = link.try_send(&frame);
 }
 
-/// Returns a span that is not negative (s).
+/// Converts a time that is not negative (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn span(seconds: f64) -> Nanos {
     Nanos::new((seconds * 1e9) as u64)
 }
 
-/// Returns the whole ticks in a number of them that is not negative.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn ticks(count: f64) -> u64 {
     count as u64

@@ -1,23 +1,22 @@
-//! Faults that are injected into simulated boards: `3@1.5:mute=0.2`.
+//! Faults to inject into simulated boards: `3@1.5:mute=0.2`.
 
-/// A fault of a simulated board.
+/// A fault of a simulated board; each number is its length (s) unless noted.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum FaultEvent {
-    /// The board is gone, and its link with it.
+    /// The board and its link are gone.
     Die,
-    /// The board loses its power for so long (s), and then starts anew.
+    /// The board loses its power, then restarts.
     Restart(f64),
-    /// Frames that the board sends are lost for so long (s).
+    /// Frames from the board are lost.
     Mute(f64),
-    /// Frames that are sent to the board are lost for so long (s).
+    /// Frames to the board are lost.
     Deaf(f64),
-    /// The board does nothing for so long (s).
+    /// The board does nothing.
     Freeze(f64),
-    /// The board sends random frames beside its own for so long (s).
+    /// The board sends random frames beside its own.
     Babble(f64),
-    /// The board's clock goes back by so much (s).
+    /// The board's clock jumps back by this time (s).
     Backwards(f64),
-    /// One of the board's keys fails.
     KeyFault,
 }
 
@@ -25,22 +24,20 @@ pub enum FaultEvent {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FaultScript {
     pub number: u8,
-    /// Time after the board was armed for the first time (s).
+    /// Time after the first arming of the board (s).
     pub at: f64,
     pub event: FaultEvent,
 }
 
-/// The syntax, for messages.
 const HELP: &str = "write NUMBER@SECONDS:WHAT, where WHAT is die, key-fault, restart=SECONDS, \
                     mute=SECONDS, deaf=SECONDS, freeze=SECONDS, babble=SECONDS or \
                     backwards=SECONDS";
 
 impl FaultScript {
-    /// Reads `3@1.5:mute=0.2`: board 3, a second and a half after it was armed, is mute for a
-    /// fifth of a second.
+    /// Parses `3@1.5:mute=0.2`: board 3 is mute for 0.2 s, 1.5 s after it was armed.
     ///
     /// # Errors
-    /// A sentence on what to write.
+    /// A sentence with the expected syntax.
     pub fn parse(text: &str) -> Result<Self, String> {
         parse(text).ok_or_else(|| format!("\"{text}\" is no fate: {HELP}"))
     }
@@ -64,7 +61,6 @@ fn parse(text: &str) -> Option<FaultScript> {
     Some(FaultScript { number: number.parse().ok()?, at: seconds(at)?, event })
 }
 
-/// Reads a time that is not negative (s).
 fn seconds(text: &str) -> Option<f64> {
     text.parse().ok().filter(|it: &f64| it.is_finite() && 0.0 <= *it)
 }

@@ -1,7 +1,6 @@
 //! Simulated boards in real time, for `letoff board` and for tests that inject faults.
 //!
-//! One thread runs all of them; each has a link of its own and a list of faults
-//! ([`fault_script`]).
+//! One thread runs all of them; each has its own link and list of faults ([`fault_script`]).
 
 mod board_process;
 pub mod fault_script;
@@ -18,33 +17,31 @@ use engine::realtime::clock;
 use fault_script::FaultScript;
 pub use wire::{Placed, WireEndpoint, place};
 
-/// Time between two polls of the links.
 const POLL_PERIOD: Nanos = Nanos::from_micros(500);
 
-/// The state of a board at the end.
+/// Final state of a board.
 #[derive(Clone, Debug, Serialize)]
 pub struct ExitReport {
     pub number: u8,
     pub keys: String,
     pub link: String,
-    /// Whether it renders forces, or the reason why not.
+    /// `rendering`, or the reason why it renders no forces.
     pub state: &'static str,
     /// Largest force of its motors now (N).
     pub force_n: f64,
-    /// Longest time from losing its right to render until all its motors were without force
-    /// (ms); none if it never lost it.
+    /// Longest time from the loss of the permission to render until all motors were without
+    /// force (ms); none if it was never lost.
     pub quiet_after_ms: Option<f64>,
-    /// Largest force of its motors while it had no right to render, once they had had time to
-    /// fade (N).
+    /// Largest force without that permission, after the time to fade (N).
     pub force_while_safe_n: f64,
-    /// Longest time that this machine did not run it while it rendered forces (ms).
+    /// Longest pause in which this machine did not run it while it rendered forces (ms).
     pub longest_gap_ms: f64,
     /// Times that its light went on.
     pub lights: u64,
     pub counts: BoardCounts,
 }
 
-/// Runs `boards` until `stop`, or for `duration`; calls `lit` for each whose light goes on.
+/// Runs `boards` until `stop` or for `duration`; calls `lit` for each light that goes on.
 pub fn run(
     boards: &mut [BoardProcess],
     duration: Option<Nanos>,
@@ -62,7 +59,7 @@ pub fn run(
                 lit(board);
             }
         }
-        // Missed periods are not made up for: boards go by their clock.
+        // Missed periods are not made up for, since boards follow their clock.
         due = due.after(POLL_PERIOD).max(now);
         clock::sleep_until(due);
         now = clock::monotonic();

@@ -1,5 +1,3 @@
-//! The links of simulated boards: pseudo-terminals or a CAN interface.
-
 use std::path::Path;
 
 use boards::links::address::Address;
@@ -11,23 +9,23 @@ use firmware_protocol::key::BoardId;
 
 use crate::connected_boards::now_us;
 
-/// The kind of link that simulated boards get.
+/// Kind of link of simulated boards.
 #[derive(Clone, PartialEq, Debug)]
 pub enum WireEndpoint {
-    /// A pseudo-terminal for each, without delay or loss.
+    /// One pseudo-terminal per board, without delay or loss.
     Pty,
-    /// A pseudo-terminal for each, behind a wire with faults.
+    /// One pseudo-terminal per board, behind a wire with faults.
     Wire(WirePlan),
-    /// This link for all of them, which is opened again when it goes down.
+    /// One link for all boards, reopened when it goes down.
     Shared(Address),
 }
 
 /// A board's end of its link, and the host's address.
 pub struct Placed {
     pub link: Box<dyn Link + Send>,
-    /// The address that a host has to open.
+    /// Address that a host has to open.
     pub address: Address,
-    /// The wire lives as long as the link.
+    /// Kept since the wire lives as long as the link.
     _wire: Option<Wire>,
 }
 
@@ -37,10 +35,7 @@ impl std::fmt::Debug for Placed {
     }
 }
 
-/// Opens the link of the board with this number.
-///
-/// # Errors
-/// If the system refuses a port or an interface.
+/// Opens the link of a board.
 pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, boards::links::Error> {
     match at {
         WireEndpoint::Pty => {
@@ -48,7 +43,7 @@ pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, boards::links:
             Ok(Placed { link: Box::new(board), address: serial(&path), _wire: None })
         }
         WireEndpoint::Wire(plan) => {
-            // Each board has random faults of its own.
+            // Each board has its own random faults.
             let seed = plan.seed.wrapping_add(u64::from(board.number()));
             let wire = Wire::open(WirePlan { seed, ..*plan })?;
             let link = Box::new(Serial::open(wire.board(), 2_000_000)?);
