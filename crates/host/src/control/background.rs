@@ -1,4 +1,4 @@
-//! Long work beside the tick, which ends early once no client waits for it.
+//! Long work off the tick, which ends early once no client waits for it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -9,14 +9,13 @@ use super::FingerOwner;
 const CANCELLED: &str =
     "nothing was loaded: its client has disconnected, or the host stops; load it again";
 
-/// Loads of descriptions, one at a time, and the rehearsal of a run.
-///
-/// Each has a flag that is set when it is to end early; the work itself polls the flag.
+/// Loads of descriptions, one at a time, and the rehearsal of a run. Each work polls its own flag
+/// to end early.
 #[derive(Debug, Default)]
 pub struct BackgroundWork {
     /// Held while a description is loaded; others wait.
     turn: Mutex<()>,
-    /// Loads that are under way or wait, each with the connection that asked for it.
+    /// Running and waiting loads, each with the connection that asked for it.
     loads: Mutex<Vec<(FingerOwner, Arc<AtomicBool>)>>,
     is_over: Arc<AtomicBool>,
 }
@@ -27,8 +26,8 @@ impl BackgroundWork {
         &self.is_over
     }
 
-    /// Loads a description for the client of connection `by` once no other is being loaded; `load`
-    /// ends early when its flag is set.
+    /// Loads a description for the client of connection `by`, after other loads; `load` ends early
+    /// when its flag is set.
     ///
     /// # Errors
     /// If the client has disconnected, or the run ends; a sentence.
@@ -50,14 +49,14 @@ impl BackgroundWork {
         loaded.filter(|_| is_wanted()).ok_or_else(|| CANCELLED.to_owned())
     }
 
-    /// Cancels what the client of `connection` waits for.
+    /// Cancels the loads for `connection`.
     pub fn cancel(&self, connection: u64) {
         for (_, flag) in self.loads().iter().filter(|(by, _)| *by == Some(connection)) {
             flag.store(true, Ordering::Release);
         }
     }
 
-    /// Cancels everything, now and from now on: the run ends.
+    /// Cancels all loads, present and future, at the end of the run.
     pub fn cancel_all(&self) {
         self.is_over.store(true, Ordering::Release);
         for (_, flag) in self.loads().iter() {

@@ -13,10 +13,10 @@ use rustix::net::{AddressFamily, SocketAddrUnix, SocketFlags, SocketType};
 
 use super::{Answer, Request, place};
 
-/// Longest wait for a host, unless another is given.
+/// Default wait for a host's answer.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The reason why there was no reply.
+/// Reason for a missing reply.
 #[derive(Debug, thiserror::Error)]
 pub enum ControlError {
     /// No host listens there.
@@ -25,21 +25,20 @@ pub enum ControlError {
         path = shown(.path)
     )]
     NoHost {
-        /// The socket at which it was expected.
+        /// Socket at which it was expected.
         path: PathBuf,
-        /// Hosts that listen at other sockets.
+        /// Hosts at other sockets.
         elsewhere: Elsewhere,
     },
-    /// The host there is another user's.
+    /// The host there belongs to another user.
     #[error("the host at {} is {owner}, and does not listen to you: {remedy}", shown(.path))]
     NotYours {
         path: PathBuf,
-        /// Its owner, in words.
         owner: String,
-        /// The command that reaches it, and who may give it.
+        /// Command that reaches it, and the users who may run it.
         remedy: String,
     },
-    /// The socket is held by a program of a user who cannot be trusted.
+    /// The socket is held by a program of an untrusted user.
     #[error(
         "what listens at {path} is user {uid}'s and no host of yours: nothing was asked; see what \
          it is, and give LETOFF_SOCKET the path of your own",
@@ -55,11 +54,10 @@ pub enum ControlError {
         .patience.as_secs_f64()
     )]
     Hung {
-        /// The number of its process, if it is known.
+        /// Process id, if known.
         pid: Option<i32>,
-        /// The time of the wait.
         patience: Duration,
-        /// The command that ends it for good.
+        /// Command that ends it for good.
         end: String,
     },
     /// The host went away or the connection failed.
@@ -72,7 +70,7 @@ pub enum ControlError {
 /// Hosts that listen at other sockets.
 #[derive(Debug)]
 pub struct Elsewhere {
-    /// Their sockets, with the owners as far as they can be seen.
+    /// Their sockets and their visible owners.
     hosts: Vec<(PathBuf, Option<u32>)>,
     command: &'static str,
 }
@@ -95,7 +93,6 @@ impl fmt::Display for Elsewhere {
     }
 }
 
-/// Returns the owner of the host at `path`.
 fn whose(path: &Path, uid: Option<u32>) -> String {
     match uid {
         _ if place::is_service(path) => "a service's host".to_owned(),
@@ -105,10 +102,9 @@ fn whose(path: &Path, uid: Option<u32>) -> String {
     }
 }
 
-/// The command that stops hosts.
+/// Command that stops hosts.
 const STOP: &str = "letoff stop";
 
-/// Returns the command that asks for `request`.
 const fn command(request: &Request) -> &'static str {
     match request {
         Request::Stop {} => STOP,
@@ -130,34 +126,32 @@ const fn command(request: &Request) -> &'static str {
 /// Sends `request` to the host at `path` and waits for its reply.
 ///
 /// # Errors
-/// If there is no host that can be trusted, or it does not answer within seconds.
+/// If no trusted host is there, or it does not answer within 5 s.
 pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
     send_within(PATIENCE, path, request)
 }
 
-/// Time for which a stop waits for the next host after a crash: the service manager starts one after
-/// 5 s, `RestartSec` of the service.
+/// Wait of a stop for the next host after a crash: the service manager starts one after 5 s,
+/// `RestartSec` of the service.
 const NEXT_START: Duration = Duration::from_secs(8);
 
-/// Time between two attempts to reach the next host.
+/// Interval of the attempts to reach the next host.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// A host that was asked to stop, and what it answered.
+/// A host that was asked to stop, and its answer.
 #[derive(Debug)]
 pub struct AskedHost {
-    /// Name of the host in a sentence.
     pub name: String,
     pub answer: Result<Answer, ControlError>,
 }
 
-/// Stops all hosts of this user and of the service; where `LETOFF_SOCKET` is set, those that were
-/// started with it.
-///
-/// Returns them with their answers. If none is found by its name, the socket's path is asked.
+/// Stops all hosts of this user and of the service, or those with this process's `LETOFF_SOCKET`
+/// if that is set; returns their answers. If none is found by its name, the socket's path is
+/// asked.
 pub fn stop_hosts() -> Vec<AskedHost> {
     let is_meant = |pid: &u32| place::chosen().is_none() || place::shares_socket(*pid);
     let pids: Vec<u32> = place::hosts().into_iter().filter(is_meant).collect();
-    // One that hangs holds up no other.
+    // In parallel, since a hanging host must not delay the others.
     std::thread::scope(|scope| {
         let ask = |pid| {
             let asked = scope.spawn(move || stop_process(pid));
@@ -189,7 +183,7 @@ fn stop_service() -> Option<AskedHost> {
     is_there.then(|| AskedHost { name: "the service's host".to_owned(), answer })
 }
 
-/// Returns the processes of this user's hosts that were started with another `LETOFF_SOCKET`.
+/// Returns this user's host processes with another `LETOFF_SOCKET`.
 pub fn hosts_elsewhere() -> Vec<u32> {
     let all = place::hosts().into_iter();
     all.filter(|pid| place::chosen().is_some() && !place::shares_socket(*pid)).collect()
@@ -210,11 +204,8 @@ fn stop_process(pid: u32) -> Result<Answer, ControlError> {
     exchange(stream, PATIENCE, &Request::Stop {}, (is_ours, stranger, hung)).map(|it| it.0)
 }
 
-/// Stops the same host as [`send_to_host`] asks. Where one has crashed, it waits for the next one:
-/// a host that is started again must not arm what was to be stopped.
-///
-/// # Errors
-/// As [`send`].
+/// Stops the host that [`send_to_host`] asks. If it has crashed, waits for the next one: a
+/// restarted host must not arm the boards that were to be stopped.
 fn stop_host() -> Result<Answer, ControlError> {
     let begun = Instant::now();
     // A host that ends in good order removes its socket.
@@ -233,20 +224,14 @@ fn stop_host() -> Result<Answer, ControlError> {
     }
 }
 
-/// Sends `request` to the host of this user, or to the service's if this user has none and none is
-/// named by `LETOFF_SOCKET`.
-///
-/// # Errors
-/// As [`send`].
+/// Sends `request` to this user's host, or to the service's if this user has none and
+/// `LETOFF_SOCKET` names none.
 pub fn send_to_host(request: &Request) -> Result<Answer, ControlError> {
     hold(request).map(|(answer, _connection)| answer)
 }
 
-/// Sends `request`, which presses a key, to the same host; the key is let go when the connection
-/// that is returned is dropped.
-///
-/// # Errors
-/// As [`send`].
+/// Sends `request`, which presses a key, to that host; the key is released when the returned
+/// connection is dropped.
 pub fn hold(request: &Request) -> Result<(Answer, UnixStream), ControlError> {
     let nobody = match converse(PATIENCE, &place::socket_path(), request) {
         Err(nobody @ ControlError::NoHost { .. }) if place::chosen().is_none() => nobody,
@@ -258,10 +243,7 @@ pub fn hold(request: &Request) -> Result<(Answer, UnixStream), ControlError> {
     }
 }
 
-/// Returns the same, with another `patience` than five seconds.
-///
-/// # Errors
-/// As [`send`].
+/// Like [`send`], with a caller-supplied `patience`.
 pub fn send_within(
     patience: Duration,
     path: &Path,
@@ -270,7 +252,7 @@ pub fn send_within(
     converse(patience, path, request).map(|(answer, _connection)| answer)
 }
 
-/// Sends `request` and returns the answer, with the connection by which it came.
+/// Sends `request`; returns the answer and its connection.
 fn converse(
     patience: Duration,
     path: &Path,
@@ -292,7 +274,7 @@ fn converse(
     exchange(stream, patience, request, (is_ours, stranger, hangs))
 }
 
-/// Sends `request` by `stream` and returns the answer, if `is_ours` trusts the user of the host;
+/// Sends `request` by `stream` and returns the answer, if `is_ours` trusts the host's user;
 /// `stranger` and `hangs` make errors of its user and its process.
 fn exchange(
     mut stream: UnixStream,
@@ -321,7 +303,7 @@ fn exchange(
     Ok((serde_json::from_str(&line)?, stream))
 }
 
-/// Returns the error of a host at `path` that hangs, with the command that ends the host.
+/// Returns the error for a hanging host at `path`, with the command that ends it.
 fn hung(path: &Path, pid: Option<i32>, patience: Duration) -> ControlError {
     let end = match pid {
         _ if place::is_service(path) => END_SERVICE.to_owned(),
@@ -331,11 +313,9 @@ fn hung(path: &Path, pid: Option<i32>, patience: Duration) -> ControlError {
     ControlError::Hung { pid, patience, end }
 }
 
-/// The command that ends the service's host.
 const END_SERVICE: &str = "systemctl stop letoff";
 
-/// Returns the command that ends the host with process number `pid`, and keeps the service manager
-/// from starting it again.
+/// Returns the command that ends the host `pid` and keeps the service manager from restarting it.
 pub fn end_command(pid: i32) -> String {
     let groups = fs::read(format!("/proc/{pid}/cgroup")).unwrap_or_default();
     if groups.split(|byte| *byte == b'\n').any(|group| group.ends_with(b"/letoff.service")) {
@@ -344,7 +324,7 @@ pub fn end_command(pid: i32) -> String {
     format!("kill -KILL {pid}")
 }
 
-/// Connects with the same time limit as for an answer: a host that hangs accepts no connection.
+/// Connects with a time limit, since a hanging host accepts no connection.
 fn connect(address: &SocketAddrUnix, patience: Duration) -> io::Result<UnixStream> {
     let (family, flags) = (AddressFamily::UNIX, SocketFlags::CLOEXEC);
     let socket = rustix::net::socket_with(family, SocketType::STREAM, flags, None)?;
@@ -353,7 +333,7 @@ fn connect(address: &SocketAddrUnix, patience: Duration) -> io::Result<UnixStrea
     Ok(UnixStream::from(socket))
 }
 
-/// Returns why no host answers at `path`.
+/// Returns the reason why no host answers at `path`.
 fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError {
     if error.kind() == io::ErrorKind::PermissionDenied {
         let owner = whose(path, place::owner(path));
@@ -371,7 +351,6 @@ fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError 
     ControlError::Silent(error)
 }
 
-/// Returns whether a wait timed out.
 fn is_late(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
 }

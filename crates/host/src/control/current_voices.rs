@@ -1,4 +1,4 @@
-//! The voices that play in a running host, and changes of their values, checked as a whole.
+//! The voices of a running host, and changes of their values that are checked as a whole.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,25 +15,22 @@ use crate::observe::instrument_of;
 use documents::{choice, quoted};
 use scene::{KeyVoice, Render, Scene, Voicing};
 
-/// The voice that plays on each key.
 #[derive(Clone, Debug)]
 pub(super) struct CurrentVoices {
-    /// The settings by which they are computed.
     pub(super) render: Render,
     pub(super) keys: Vec<Option<KeyVoice>>,
-    /// The names of their instruments, as far as they are known.
+    /// Names of their instruments, if known.
     pub(super) instruments: Vec<Option<String>>,
-    /// Where their values came from first.
+    /// Origins of their values.
     pub(super) voicings: Vec<Option<Voicing>>,
-    /// What was changed of these values since, by the names of parameters.
+    /// Later changes of these values, by the names of parameters.
     changed: Vec<BTreeMap<&'static str, f64>>,
 }
 
-/// Most mistakes that one answer names.
+/// Maximum number of mistakes in one answer.
 const MOST_TOLD: usize = 5;
 
 impl CurrentVoices {
-    /// Returns the voices with which `scene` begins.
     pub(super) fn new(scene: &Scene) -> Self {
         let keys = scene.keys.clone();
         let of = |(key, voice): (u8, &Option<KeyVoice>)| instrument_of(key, voice.as_ref()?);
@@ -42,31 +39,25 @@ impl CurrentVoices {
         Self { render: scene.render, keys, instruments, voicings: scene.voicings.clone(), changed }
     }
 
-    /// Returns the same voices, computed by other settings.
+    /// Returns these voices with other render settings.
     pub(super) fn computed_by(&self, render: Render) -> Self {
         Self { render, ..self.clone() }
     }
 
-    /// Returns the voice that plays on `key`.
-    ///
-    /// # Errors
-    /// If none does, in a sentence.
+    /// Returns the voice of `key`, or a sentence why there is none.
     pub(super) fn voice(&self, key: u8) -> Result<&KeyVoice, String> {
         let range = single(key)?;
         self.keys[usize::from(key)].as_ref().ok_or_else(|| self.missing(range))
     }
 
-    /// Returns the keys of `range` that have a voice.
-    ///
-    /// # Errors
-    /// If none has, in a sentence.
+    /// Returns the keys of `range` with a voice, or a sentence if there are none.
     pub(super) fn keys_in(&self, range: KeyRange) -> Result<Vec<u8>, String> {
         let has_voice = |key: &u8| self.keys[usize::from(*key)].is_some();
         let keys: Vec<_> = range.numbers().filter(has_voice).collect();
         if keys.is_empty() { Err(self.missing(range)) } else { Ok(keys) }
     }
 
-    /// Returns why no voice plays on `keys`, in a sentence.
+    /// Returns a sentence on the missing voices of `keys`.
     fn missing(&self, keys: KeyRange) -> String {
         let is_in_scene = |key: u8| self.voicings[usize::from(key)].is_some();
         if keys.numbers().any(is_in_scene) {
@@ -76,10 +67,10 @@ impl CurrentVoices {
         }
     }
 
-    /// Returns the voices of all keys that `changes` touch, with their new values.
+    /// Returns the voices of all keys in `changes`, with their new values.
     ///
     /// # Errors
-    /// What is wrong with any of them, in a sentence each.
+    /// A sentence on each mistake.
     pub(super) fn changed(&self, changes: &[Change]) -> Result<BTreeMap<u8, NewVoice>, String> {
         let mut voices = BTreeMap::new();
         let mut wrong = Vec::new();
@@ -101,13 +92,11 @@ impl CurrentVoices {
         Ok(voices.into_iter().map(|(key, voice)| (key, values(voice))).collect())
     }
 
-    /// Returns the voices of the keys that `model` is to play: of `keys`, or else of those that
-    /// play another version of its description.
-    ///
-    /// Where a version follows another one, values that were changed meanwhile stay as they are.
+    /// Returns the voices for `model` on `keys`, or else on those that play another version of its
+    /// description. A new version keeps values that were changed meanwhile.
     ///
     /// # Errors
-    /// A condition of the model that the values do not meet, or that it has no presets.
+    /// A condition of the model that the values do not meet, or missing presets.
     pub(super) fn loaded(
         &self,
         model: &Arc<LoadedModel>,
@@ -132,7 +121,6 @@ impl CurrentVoices {
         Ok(voices)
     }
 
-    /// Returns the voice of `key` for another version of its model.
     fn next_version(&self, key: u8, model: &Arc<LoadedModel>) -> Option<NewVoice> {
         let index = usize::from(key);
         let voicing = self.voicings.get(index)?.as_ref()?.following(model)?;
@@ -145,7 +133,7 @@ impl CurrentVoices {
         Some(NewVoice { voice, handover: VoiceHandover::Version(voicing) })
     }
 
-    /// Takes note that `voices` play.
+    /// Records that `voices` play.
     pub(super) fn put_in(&mut self, voices: BTreeMap<u8, NewVoice>) {
         for (key, NewVoice { voice, handover }) in voices {
             let key = usize::from(key);
@@ -163,7 +151,7 @@ impl CurrentVoices {
         }
     }
 
-    /// Notes which values of a key are other ones in `voice`.
+    /// Records the differing values of a key in `voice`.
     fn note_changes(&mut self, key: usize, voice: &KeyVoice) {
         let before = self.keys[key].as_ref().map_or(&[][..], |before| &before.values);
         let values = voice.model.parameters.iter().zip(voice.values.iter().zip(before));
@@ -173,19 +161,19 @@ impl CurrentVoices {
         self.changed[key].extend(changed);
     }
 
-    /// Returns the instrument of `key`, if its values are as the instrument has them.
+    /// Returns the instrument of `key`, if its values are unchanged.
     pub(super) fn untouched_instrument(&self, key: u8) -> Option<&str> {
         let index = usize::from(key);
         let name = self.instruments.get(index)?.as_deref()?;
         self.changed.get(index)?.is_empty().then_some(name)
     }
 
-    /// Returns the models that play, each once.
+    /// Returns the distinct models of all voices.
     pub(super) fn models(&self) -> Vec<Arc<LoadedModel>> {
         crate::observe::distinct(self.keys.iter().flatten().map(|voice| &voice.model))
     }
 
-    /// Returns the value of each parameter of each voice, in the order of keys.
+    /// Returns all parameters of all voices, in the order of keys.
     pub(super) fn settings(&self) -> Vec<ParameterSetting> {
         let voices = (0..).zip(&self.keys).filter_map(|(key, it)| Some((key, it.as_ref()?)));
         let of = |(key, it): (u8, &KeyVoice)| -> Vec<ParameterSetting> {
@@ -195,7 +183,7 @@ impl CurrentVoices {
         voices.flat_map(of).collect()
     }
 
-    /// Returns the value of the parameter that the stream calls `name`, if there is one.
+    /// Returns the value of the stream's parameter `name`, if it exists.
     pub(super) fn setting(&self, name: &str) -> Option<ParameterSetting> {
         let Change { key, parameter: wanted, .. } = Change::named(name, 0.0)?;
         let voice = self.keys.get(usize::from(key))?.as_ref()?;
@@ -203,7 +191,7 @@ impl CurrentVoices {
         Some(setting_of(key, &wanted, *voice.values.get(index)?))
     }
 
-    /// Returns whether a description that plays was read from `file`.
+    /// Returns `true` if the description of some voice was read from `file`.
     pub(super) fn plays(&self, file: &str) -> bool {
         let path = known_path(file);
         self.models().iter().any(|model| model.file() == Some(path.as_str()))
@@ -225,40 +213,36 @@ impl CurrentVoices {
     }
 }
 
-/// Returns `true` if `scene` has a voice for `key`, which was left out since no board carries it.
+/// Returns `true` if `scene` has a voice for `key` that was left out since no board carries it.
 pub(crate) fn is_absent(scene: &Scene, key: usize) -> bool {
     scene.keys[key].is_none() && scene.voicings[key].is_some()
 }
 
-/// Returns the range of one key.
-///
-/// # Errors
-/// If there is no such key, in a sentence.
+/// Returns the range of one key, or a sentence if there is no such key.
 pub(super) fn single(key: u8) -> Result<KeyRange, String> {
     let range = KeyIndex::new(key).and_then(|key| KeyRange::new(key, key));
     range.ok_or_else(|| format!("there is no key {key}, give 0 to 87"))
 }
 
-/// Returns a value of a key's voice as a parameter of the stream.
 pub(super) fn setting_of(key: u8, parameter: &str, value: f64) -> ParameterSetting {
     let change = Change { key, parameter: parameter.to_owned(), value };
     ParameterSetting { name: change.name(), value }
 }
 
-/// Returns which condition of the model the values of `voice` do not meet, in a sentence.
+/// Returns a sentence on the condition of the model that `voice` violates, if any.
 fn unmet_on(key: u8, voice: &KeyVoice) -> Option<String> {
     let condition = unmet(&voice.model, &voice.values).into_iter().next()?;
     let key = KeyIndex::new(key).map_or_else(String::new, |key| key.to_string());
     Some(format!("{} needs {condition}, which does not hold on {key}", voice.model.name))
 }
 
-/// Refuses what is no value of `parameter`.
+/// Rejects an invalid value of `parameter`.
 fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
     let Parameter { name, unit, range: (low, high), .. } = parameter;
     if (*low..=*high).contains(&value) {
         return Ok(());
     }
-    // A number without a unit has the unit 1.
+    // The unit 1 is not printed.
     let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
     Err(format!("{name} is {low} to {high}{unit}, not {value:?}"))
 }

@@ -1,21 +1,19 @@
-//! What became of the descriptions that were read while the host runs.
-
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use instruments::{FileContents, ModelEntry};
 use telemetry::Description;
 
-/// What became of descriptions, by their files.
+/// States of descriptions, by their files.
 #[derive(Clone, Debug, Default)]
 pub(super) struct DescriptionStates {
     files: BTreeMap<String, ReadDescription>,
-    /// Since when versions play that the scene did not begin with (ns since 1970).
+    /// Start times of versions that the scene did not begin with (ns since 1970).
     since: BTreeMap<u32, u64>,
     pub(super) is_watched: bool,
 }
 
-/// What stood in the files of a description when they were read last, and what is wrong with it.
+/// Contents of a description's files at the last read, and its mistakes.
 #[derive(Clone, Debug)]
 struct ReadDescription {
     contents: FileContents,
@@ -23,27 +21,27 @@ struct ReadDescription {
 }
 
 impl DescriptionStates {
-    /// Notes that the description at `file` was read, and what is wrong with it.
+    /// Records that the description at `file` was read with these mistakes.
     pub(super) fn note_read(&mut self, file: &str, contents: FileContents, mistakes: &str) {
         let read = ReadDescription { contents, mistakes: mistakes.to_owned() };
         self.files.insert(file.to_owned(), read);
     }
 
-    /// Notes that `model` plays since `now` (ns since 1970).
+    /// Records that `model` plays since `now` (ns since 1970).
     pub(super) fn note_playing(&mut self, model: &ModelEntry, now: u64) {
         if let Some(source) = &model.source {
             self.since.insert(source.version, now);
         }
     }
 
-    /// Returns what stood in the files of the description of `model` when they were read last.
+    /// Returns the contents of the description of `model` at the last read.
     pub(super) fn contents(&self, model: &ModelEntry) -> Option<FileContents> {
         let source = model.source.as_ref()?;
         let read = self.files.get(&source.file);
         Some(read.map_or(&source.contents, |read| &read.contents).clone())
     }
 
-    /// Writes what is known of each of `descriptions`.
+    /// Fills in the states of `descriptions`.
     pub(super) fn complete(&self, descriptions: &mut [Description]) {
         for description in descriptions {
             let path = description.files.first().map_or("", |file| file.path.as_str());

@@ -1,4 +1,4 @@
-//! The emergency stop: requests ask for it; the thread that drives the boards does it and answers.
+//! The emergency stop: requests set it, the thread that drives the boards executes and answers it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, PoisonError};
@@ -12,17 +12,15 @@ use super::{Answer, Answers};
 /// The number of armed boards that were sent the command to render no force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BoardsTold {
-    /// Boards that took the command.
+    /// Boards whose links accepted the command.
     pub told: usize,
-    /// Boards that were armed.
     pub boards: usize,
 }
 
 impl BoardsTold {
-    /// The answer before any board is armed.
+    /// Answer before any board is armed.
     pub const NONE_ARMED: Self = Self { told: 0, boards: 0 };
 
-    /// Returns the reply to a request for the stop.
     pub fn reply(self) -> Reply {
         let Self { told, boards } = self;
         let text = if boards == 0 {
@@ -48,20 +46,20 @@ impl BoardsTold {
 pub struct EmergencyStop {
     is_asked: AtomicBool,
     asks: Notify,
-    /// Boards are being armed, and the thread that arms them looks at `is_asked` afterwards.
+    /// `true` while boards are armed; the arming thread checks `is_asked` afterwards.
     is_arming: AtomicBool,
     told: Mutex<Option<BoardsTold>>,
     is_told: Condvar,
 }
 
 impl EmergencyStop {
-    /// Asks for the stop; it is done with the next tick.
+    /// Requests the stop, which the next tick executes.
     pub fn ask(&self) {
         self.is_asked.store(true, Ordering::Release);
         self.asks.notify_one();
     }
 
-    /// Returns whether it was asked for.
+    /// Returns `true` if the stop was requested.
     ///
     /// # Real-time
     /// One load.
@@ -69,14 +67,13 @@ impl EmergencyStop {
         self.is_asked.load(Ordering::Acquire)
     }
 
-    /// Waits until it is asked for.
     pub async fn asked(&self) {
         while !self.is_asked() {
             self.asks.notified().await;
         }
     }
 
-    /// Arms boards by `arm`, which may take seconds; requests meanwhile are answered after it.
+    /// Arms boards by `arm`, which may take seconds; delays the answers to stops until it is done.
     pub fn while_arming<T>(&self, arm: impl FnOnce() -> T) -> T {
         self.is_arming.store(true, Ordering::Release);
         let armed = arm();
@@ -84,25 +81,23 @@ impl EmergencyStop {
         armed
     }
 
-    /// Answers the requests with what the boards were told.
     pub fn answer(&self, told: BoardsTold) {
         *self.told.lock().unwrap_or_else(PoisonError::into_inner) = Some(told);
         self.is_told.notify_all();
     }
 
-    /// Returns the answer, if it was given.
     pub fn answered(&self) -> Option<BoardsTold> {
         *self.told.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Asks for it, and waits for the answer: a second at most, or until boards are armed.
+    /// Requests the stop and waits for the answer: 1 s, or until boards are armed.
     ///
     /// # Errors
-    /// If it does not come in time; a sentence.
+    /// A sentence if the answer is late.
     pub fn ask_and_wait(&self) -> Result<Reply, String> {
-        /// Longest time for the tick to see that it was asked.
+        /// Longest wait for the tick to see the request.
         const PATIENCE: Duration = Duration::from_secs(1);
-        /// Longest time beyond it to wait for boards that are being armed.
+        /// Longest further wait for boards that are being armed.
         const ARMING: Duration = Duration::from_millis(3_500);
         self.ask();
         let mut told = self.wait(PATIENCE);

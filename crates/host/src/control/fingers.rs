@@ -1,4 +1,4 @@
-//! Simulated fingers on keys; a finger is released when the connection that pressed with it ends.
+//! Simulated fingers on keys, each released when its connection ends.
 
 use std::collections::BTreeMap;
 
@@ -6,22 +6,21 @@ use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
 use rtrb::Producer;
 
-/// The connection of a client of the stream or of the control socket; none for requests without
+/// The connection of a client of the stream or the control socket; `None` for requests without
 /// one, whose keys stay pressed until they are released.
 pub type FingerOwner = Option<u64>;
 
-/// Sends what simulated hands do into the tick.
+/// Sends simulated hands into the tick.
 ///
-/// One place of the ring is kept free for each key that is pressed, so that a release never fails.
+/// The ring keeps room for the release of each pressed key, so that a release never fails.
 #[derive(Debug)]
 pub struct FingerQueue {
     hands: Producer<(KeyIndex, HandCommand)>,
-    /// The keys that are pressed, with the owner of the last press.
+    /// Pressed keys with the owner of the last press.
     pressed: BTreeMap<u8, (KeyIndex, FingerOwner)>,
 }
 
 impl FingerQueue {
-    /// Returns a queue into `hands`, with no key pressed.
     pub const fn new(hands: Producer<(KeyIndex, HandCommand)>) -> Self {
         Self { hands, pressed: BTreeMap::new() }
     }
@@ -29,7 +28,7 @@ impl FingerQueue {
     /// Presses `key` or grips it for `by`; no weight releases it.
     ///
     /// # Errors
-    /// If too much is waiting, in a sentence.
+    /// A sentence if the ring is full.
     pub fn press(
         &mut self,
         key: KeyIndex,
@@ -48,7 +47,7 @@ impl FingerQueue {
         Ok(())
     }
 
-    /// Releases all keys that `connection` pressed last.
+    /// Releases all keys last pressed by `connection`.
     pub fn leave(&mut self, connection: u64) {
         let its = |(_, by): &&(KeyIndex, FingerOwner)| *by == Some(connection);
         let keys: Vec<_> = self.pressed.values().filter(its).map(|(key, _)| *key).collect();
@@ -57,7 +56,6 @@ impl FingerQueue {
         }
     }
 
-    /// Releases `key`, if it is pressed.
     fn release(&mut self, key: KeyIndex) {
         if self.pressed.remove(&key.number()).is_some() {
             // Its place was kept free; a ring without a run has no reader.

@@ -1,4 +1,4 @@
-//! Files that clients of the stream name: only in folders that the host's owner has named.
+//! File names from clients of the stream, confined to folders of the host's owner.
 
 use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt as _;
@@ -8,22 +8,21 @@ use documents::{choice, is_unprintable, quoted, shown};
 use scene::instruments;
 use telemetry::recording::RecordingLimits;
 
-/// Folders in which clients of the stream may name files; without one they may name none.
+/// Folders in which clients of the stream may name files; `None` allows none.
 #[derive(Clone, Debug, Default)]
 pub struct Folders {
-    /// The folder of recordings that clients begin.
+    /// Folder of recordings that clients begin.
     pub recordings: Option<PathBuf>,
-    /// The limits of these recordings.
     pub limits: RecordingLimits,
-    /// The folder of instruments that clients may use beside the embedded ones.
+    /// Folder of instruments that clients may use beside the embedded ones.
     pub instruments: Option<PathBuf>,
 }
 
 impl Folders {
-    /// Returns the path of a recording that a client calls `name`; makes its folder if need be.
+    /// Returns the path of a client's recording `name`; makes its folder if needed.
     ///
     /// # Errors
-    /// If it may not be there, in a sentence.
+    /// A sentence if the path is not allowed.
     pub(super) fn recording(&self, name: &str) -> Result<String, String> {
         let folder = self.recordings.as_deref();
         let folder =
@@ -40,10 +39,10 @@ impl Folders {
         Ok(file.to_string_lossy().into_owned())
     }
 
-    /// Returns the instrument that a client calls `name`: an embedded one, or a file's path.
+    /// Returns the instrument `name` of a client: an embedded one, or a file's path.
     ///
     /// # Errors
-    /// If there is none that a client may use, in a sentence with nothing of any file.
+    /// A sentence that reveals no file, if no such instrument is allowed.
     pub(super) fn instrument(&self, name: &str) -> Result<String, String> {
         let embedded: Vec<_> = instruments().into_iter().map(|it| it.name).collect();
         if embedded.iter().any(|it| it == name) {
@@ -58,10 +57,10 @@ impl Folders {
         })
     }
 
-    /// Returns the path of the description that a client calls `name`, among the instruments.
+    /// Returns the path of a client's description `name` among the instruments.
     ///
     /// # Errors
-    /// If there is none that a client may use, in a sentence with nothing of any file.
+    /// A sentence that reveals no file, if no such description is allowed.
     pub(super) fn description(&self, name: &str) -> Result<String, String> {
         self.file(name).ok_or_else(|| {
             let place = self.instruments.as_deref().map_or_else(
@@ -72,19 +71,18 @@ impl Folders {
         })
     }
 
-    /// Returns the path of the file called `name` in the folder of instruments.
     fn file(&self, name: &str) -> Option<String> {
         let folder = self.instruments.as_deref()?;
         let file = file_in(folder, name)?;
         let file = if has_ending(&file, "toml") { file } else { file.with_added_extension("toml") };
-        // Where a symbolic link leads may be anywhere.
+        // A symbolic link may lead out of the folder.
         let file = fs::canonicalize(file).ok().filter(|file| file.is_file())?;
         let is_inside = file.starts_with(fs::canonicalize(folder).ok()?);
         is_inside.then(|| file.to_string_lossy().into_owned())
     }
 }
 
-/// Returns the file called `name` in `folder`; none if it would be elsewhere, or hidden.
+/// Returns the file `name` in `folder`; `None` if it would be elsewhere or hidden.
 fn file_in(folder: &Path, name: &str) -> Option<PathBuf> {
     let name = Path::new(name);
     let name = name.strip_prefix(folder).unwrap_or(name);

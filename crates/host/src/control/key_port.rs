@@ -1,4 +1,4 @@
-//! The way to the keys of a run: fingers on simulated ones, lights on real ones.
+//! Access to the keys of a run: fingers on simulated ones, lights on real ones.
 
 use boards::rt::board_supervisor::LIGHT_S;
 use firmware_protocol::key::KeyIndex;
@@ -7,33 +7,28 @@ use rtrb::Producer;
 
 use super::{FingerOwner, FingerQueue, NOT_RUNNING};
 
-/// The actions that the keys of a run allow.
+/// Actions that the keys of a run allow.
 #[derive(Debug, Default)]
 pub(super) enum KeyPort {
-    /// The keys are not there yet.
     #[default]
     Closed,
-    /// Simulated keys, which are pressed.
     Simulated(FingerQueue),
-    /// Boards, which show their lights.
     Boards(Lights),
 }
 
-/// The boards of a run, and the way to their lights.
+/// Access to the lights of a run's boards.
 #[derive(Debug)]
 pub struct Lights {
-    /// The boards, in the order in which the bus has them.
+    /// Boards in the order of the bus.
     pub boards: Vec<IdentifyTarget>,
-    /// The ring that takes an index into `boards`.
+    /// Ring for indices into `boards`.
     pub requests: Producer<usize>,
 }
 
-/// A board that has a light.
+/// A board with a light.
 #[derive(Debug)]
 pub struct IdentifyTarget {
-    /// The number of its link.
     pub line: u32,
-    /// The name of its link.
     pub name: String,
     pub board: u32,
 }
@@ -44,10 +39,10 @@ impl std::fmt::Display for IdentifyTarget {
     }
 }
 
-/// Largest force of a finger: its weight and a blow with it (N).
+/// Largest force of a finger: its weight plus a blow (N).
 const HARDEST: f64 = figures::weight::HEAVIEST;
 
-/// How far up and down a hand that grips a key pulls it, as parts of its dip.
+/// Range of the pull of a gripping hand, in fractions of the key's dip.
 const HIGHEST: f64 = -1.0;
 const DEEPEST: f64 = 2.0;
 
@@ -55,7 +50,7 @@ impl KeyPort {
     /// Presses a simulated key or grips it for `by`; no weight releases it.
     ///
     /// # Errors
-    /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
+    /// A sentence if the key is missing or real, or the ring is full.
     pub(super) fn press(
         &mut self,
         key: u8,
@@ -82,17 +77,14 @@ impl KeyPort {
         }
     }
 
-    /// Releases all keys that the client with this connection has pressed.
+    /// Releases all keys pressed by `connection`.
     pub(super) fn leave(&mut self, connection: u64) {
         if let Self::Simulated(fingers) = self {
             fingers.leave(connection);
         }
     }
 
-    /// Has a board show its light.
-    ///
-    /// # Errors
-    /// Why it cannot, in a sentence.
+    /// Switches on a board's light; the error is a sentence.
     pub(super) fn identify(&mut self, line: u32, board: u32) -> Result<String, String> {
         match self {
             Self::Closed => Err(NOT_RUNNING.into()),

@@ -1,8 +1,8 @@
 //! Descriptions that are read while the host plays: their newest versions take over.
 //!
-//! Nothing of it is in the tick: a description is read, checked, derived and compiled on the
-//! thread that asks for it, and so are the voices built. What is wrong changes nothing. One
-//! description is loaded at a time, and none for a client that has disconnected.
+//! All of it is off the tick: a description is read, checked, derived and compiled on the calling
+//! thread, and its voices are built there. A mistake changes nothing. Descriptions load one at a
+//! time, and none for a client that has disconnected.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -22,21 +22,21 @@ use super::description_states::{DescriptionStates, known_path};
 use super::{FingerOwner, RequestHandler};
 use crate::observe::{self, TelemetryMessage};
 
-/// Why a description does not play.
+/// Reason why a description does not play.
 #[derive(Debug)]
 enum LoadError {
-    /// This is wrong with it, or with the values that it would play with.
+    /// Mistakes in it or in its values.
     Mistakes(String),
     /// It cannot be put in now.
     Refused(String),
 }
 
 impl RequestHandler {
-    /// Reads the description at `file` and lets its newest version play: on `keys`, or else on
-    /// those that play another version of it.
+    /// Reads the description at `file` and plays its newest version: on `keys`, or else on those
+    /// that play another version of it.
     ///
     /// # Errors
-    /// All that is wrong with it, with lines and carets, or why it cannot be put in now.
+    /// All mistakes with lines and carets, or the reason why it cannot be put in now.
     pub(super) fn load(
         &self,
         file: &str,
@@ -60,7 +60,7 @@ impl RequestHandler {
         }
     }
 
-    /// Lets `model` play, which was read from what `contents` says.
+    /// Plays `model`, read from `contents`.
     fn play(
         &self,
         model: &Arc<LoadedModel>,
@@ -75,7 +75,7 @@ impl RequestHandler {
         if 0 < n {
             states.note_playing(model, now());
         }
-        // Those that play until then are told of, too: a recording may begin in between.
+        // The present models are sent as well, since a recording may begin in between.
         let models = observe::distinct(playing.models().iter().chain([model]));
         let catalogue = self.catalogue(playing.render, &models, &states);
         self.put_in(&mut playing, voices, Some(catalogue), who).map_err(LoadError::Refused)?;
@@ -87,7 +87,7 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Notes, and tells, what is wrong with the description at `path`; the old version plays on.
+    /// Records and sends the mistakes of the description at `path`; the old version plays on.
     fn note_mistakes(&self, path: &str, contents: FileContents, mistakes: &str) {
         let playing = self.playing();
         if !playing.models().iter().any(|model| model.file() == Some(path)) {
@@ -102,7 +102,7 @@ impl RequestHandler {
         self.run.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
     }
 
-    /// Tells from now on that descriptions are watched.
+    /// Reports to clients that descriptions are watched.
     pub(super) fn begin_to_watch(&self) {
         let playing = self.playing();
         let mut states = self.states();
@@ -110,8 +110,7 @@ impl RequestHandler {
         self.run.tell(self.catalogue(playing.render, &playing.models(), &states));
     }
 
-    /// Returns the files of the descriptions that play, each with what stood in them when they
-    /// were read last.
+    /// Returns the files of the playing descriptions, with their contents at the last read.
     pub(super) fn described_files(&self) -> Vec<(String, FileContents)> {
         let models = self.playing().models();
         let states = self.states();
@@ -123,8 +122,8 @@ impl RequestHandler {
         files.collect()
     }
 
-    /// Returns that message for a model that is to play beside those of `playing`; none if clients
-    /// know it.
+    /// Returns the catalogue with a model that joins those of `playing`; `None` if clients know
+    /// it.
     pub(super) fn catalogue_with(
         &self,
         playing: &CurrentVoices,
@@ -135,7 +134,7 @@ impl RequestHandler {
         (played.len() < with.len()).then(|| self.catalogue(playing.render, &with, &self.states()))
     }
 
-    /// Returns the message about everything there is now, with `models`.
+    /// Returns the catalogue with `models`.
     pub(super) fn catalogue(
         &self,
         render: Render,

@@ -1,4 +1,4 @@
-//! Lower fidelities for keys at rest while a tick has more work than time, and back again.
+//! Lower fidelities for resting keys while ticks have too little time, and back again.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -14,50 +14,46 @@ use super::current_voices::CurrentVoices;
 use super::new_voice::{NewVoice, VoiceHandover};
 use super::repeated_look::RepeatedLook;
 
-/// Time between two looks.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Keys that are changed at a look: their voices are built beside a tick that has too much to do.
+/// Keys per poll: their voices are built while a tick has too much work.
 const MOST_AT_ONCE: usize = 8;
 
-/// Keys of a keyboard.
 const KEYS: u8 = 88;
 
-/// The writer that telemetry names.
+/// Writer in telemetry.
 const OVERLOAD: &str = "overload";
 
-/// Gives keys at rest a lower fidelity while the scheduler of the run that `handler` answers for
-/// leaves fidelity out, until what is returned is dropped.
-///
-/// # Errors
+/// Gives resting keys a lower fidelity while the scheduler of `handler`'s run omits fidelity, until
+/// the result is dropped.
 /// If the system gives no thread.
 pub fn follow_load(handler: Arc<RequestHandler>) -> io::Result<RepeatedLook> {
     let mut lowered = LoweredKeys::default();
     RepeatedLook::start("letoff-fidelity", LOOK, move || lowered.look(&handler))
 }
 
-/// The keys that have a lower fidelity now.
+/// Keys with a lower fidelity.
 #[derive(Debug, Default)]
 struct LoweredKeys {
     before: BTreeMap<u8, OriginalVoice>,
-    /// The next lower fidelity of each instrument, if it has one that is stable.
+    /// Next lower fidelity of each instrument, if a stable one exists.
     lower: BTreeMap<String, Option<Instrument>>,
-    /// Keys that were changed and not told of yet.
+    /// Changed keys that are not reported yet.
     untold: usize,
 }
 
-/// What a key played before.
+/// Former voice of a key.
 #[derive(Debug)]
 struct OriginalVoice {
     voice: KeyVoice,
     voicing: Voicing,
     instrument: String,
-    /// What it was given instead.
+    /// Present instrument.
     lower: String,
 }
 
 impl LoweredKeys {
-    /// Looks once at all keys at rest.
+    /// Polls all keys at rest once.
     fn look(&mut self, handler: &RequestHandler) {
         let Some(counters) = handler.run.status.counters() else { return };
         let is_wanted = counters.overload.now().contains(Simplification::Fidelity);
@@ -79,7 +75,7 @@ impl LoweredKeys {
         }
     }
 
-    /// Tells what was done in the last looks, once there is nothing more to do.
+    /// Reports the changes of the last polls, once none is left to do.
     fn tell(&mut self, handler: &RequestHandler) {
         let (changed, lower) = (std::mem::take(&mut self.untold), self.before.len());
         if 0 < changed {
@@ -92,7 +88,7 @@ impl LoweredKeys {
     fn lower_voices(&mut self, handler: &RequestHandler, asleep: u128) -> BTreeMap<u8, NewVoice> {
         let mut changes = BTreeMap::new();
         let mut of = None;
-        // Trying an instrument takes a while, in which others may change voices.
+        // Trying an instrument takes a while, in which clients may change voices.
         for (key, name) in self.untouched(handler, asleep) {
             if of.as_ref().is_some_and(|of| *of != name) || changes.len() == MOST_AT_ONCE {
                 continue;
@@ -114,7 +110,7 @@ impl LoweredKeys {
     }
 
     /// Returns the former voices of some of the keys `asleep`, all of one instrument, unless
-    /// somebody else changed them meanwhile.
+    /// a client changed them meanwhile.
     fn former_voices(&mut self, handler: &RequestHandler, asleep: u128) -> BTreeMap<u8, NewVoice> {
         if self.before.is_empty() {
             return BTreeMap::new();
@@ -135,13 +131,12 @@ impl LoweredKeys {
     }
 }
 
-/// Whether `key` is one of `keys`.
 const fn is_in(keys: u128, key: u8) -> bool {
     keys >> key & 1 == 1
 }
 
-/// Lets `changes` play; returns what those keys played before, or nothing if they are refused now,
-/// and tried again at the next look.
+/// Plays `changes`; returns the former voices of those keys, or nothing if the changes are
+/// rejected now; the next poll tries them again.
 fn change(
     handler: &RequestHandler,
     changes: BTreeMap<u8, NewVoice>,
@@ -154,7 +149,6 @@ fn change(
     Some(before)
 }
 
-/// Returns what the keys of `changes` play now.
 fn originals(
     playing: &CurrentVoices,
     changes: &BTreeMap<u8, NewVoice>,
@@ -173,8 +167,8 @@ fn originals(
     changes.iter().filter_map(original).collect()
 }
 
-/// Returns the next lower fidelity of the instrument called `name`, if it has one that is stable
-/// in the loop of `handler`'s run.
+/// Returns the next lower fidelity of the instrument `name`, if a stable one exists in the loop of
+/// `handler`'s run.
 fn lower(handler: &RequestHandler, name: &str) -> Option<Instrument> {
     let library = &handler.scene.library;
     let (_fidelity, lower) = Instrument::load(library, name).ok()?.levels.into_iter().next()?;

@@ -1,28 +1,24 @@
-//! Requests to a running host: one JSON object a line over a Unix socket, or by its stream.
+//! Requests to a running host: one JSON object per line over a Unix socket, or by its stream.
 //!
 //! ```text
 //! letoff instruments use NAME ──socket──▶ server ─┐
 //! dashboard ──WebSocket──▶ telemetry::stream ─────┴▶ RequestHandler ─▶ RunHandle ──ring──▶ lanes
 //! ```
 //!
-//! [`RequestHandler`] checks a request and builds what it needs, off the tick: a voice for another
-//! instrument, an array of values for other parameters. [`RunHandle`] sends it to the run. The
-//! tick puts it in between two ticks, and safety blends the new force in.
+//! [`RequestHandler`] checks a request and builds its voice or its array of values off the tick.
+//! [`RunHandle`] sends it to the run. The scheduler puts it in between two ticks, and safety blends
+//! the new force in.
 //!
-//! A description that is saved while it plays, or asked for, is read, checked, derived and compiled
-//! on the same side (`load`, `watch`): if it is right, voices of the new version go on where those
-//! of the old one are, and if it is wrong nothing changes but what is told of it.
+//! | module | source of changes |
+//! |---|---|
+//! | `load`, `watch` | descriptions: voices of a new version continue from the old ones' states |
+//! | `render_settings` | settings of `[render]`: tried first, then applied like a new version |
+//! | `reload` | the scene, at SIGHUP: the parts that can change live |
+//! | `programs` | MIDI program changes, as requests for an instrument |
 //!
-//! Settings of `[render]` change the same way (`render_settings`): they are tried first, and voices
-//! that are computed by them go on where the others are.
-//!
-//! A scene is read again at SIGHUP (`reload`): what can change live does, the same way.
-//!
-//! A program change that is heard on a MIDI port is a request for an instrument (`programs`).
-//!
-//! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
-//! The socket listens before keys are tried and touches rehearsed (`starting`), so that a host that only
-//! prepares is stopped too.
+//! A mistake changes nothing and is reported. `letoff stop` ends the run with the next tick and
+//! stops boards. The socket listens before keys are tried and touches rehearsed (`starting`), so
+//! that a host in preparation can be stopped too.
 
 mod background;
 mod client;
@@ -74,8 +70,8 @@ pub use watch::watch_descriptions;
 
 pub use telemetry::{Reply, Request};
 
-/// The answer to one request: what was done, or in a sentence why nothing was.
+/// The answer to one request: the change, or a sentence why nothing changed.
 pub type Answer = Result<Reply, String>;
 
-/// The refusal of a host that is being prepared, or has ended.
+/// Refusal of a host that is being prepared or has ended.
 const NOT_RUNNING: &str = "the host is not running yet, or not any more";

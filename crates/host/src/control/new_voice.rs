@@ -1,29 +1,27 @@
-//! A voice that is to play on a key, and how it takes its place.
-
 use scene::{KeyVoice, Voicing};
 
-/// A voice that plays on a key from now on.
+/// The next voice of a key.
 #[derive(Clone, Debug)]
 pub(super) struct NewVoice {
     pub(super) voice: KeyVoice,
     pub(super) handover: VoiceHandover,
 }
 
-/// How a voice takes the place of the one before.
+/// Relation of a voice to the one before.
 #[derive(Clone, Debug)]
 pub(super) enum VoiceHandover {
-    /// The voice that plays gets other values.
+    /// New values of the playing voice.
     Values,
-    /// It begins at rest, as the voicing of what is called so says.
+    /// A start from rest, with the voicing of this name.
     Anew(Voicing, String),
-    /// Other settings of `[render]` compute it, and it goes on where the old one is.
+    /// Other settings of `[render]`, continuing from the old state.
     Settings,
-    /// It is of another version of the model's description, and goes on where the old one is.
+    /// Another version of the model's description, continuing from the old state.
     Version(Voicing),
 }
 
 impl NewVoice {
-    /// Returns the voice of `key` that begins at rest, as the voicing of `name` says.
+    /// Returns a voice of `key` that starts from rest, with the voicing of `name`.
     pub(super) fn anew(voicing: &Voicing, key: u8, name: &str) -> Self {
         let voice = KeyVoice::new(voicing, key);
         Self { voice, handover: VoiceHandover::Anew(voicing.clone(), name.to_owned()) }

@@ -1,7 +1,7 @@
 //! The path of the control socket, and its owner.
 //!
-//! A process that may connect to it acts as the host's owner, and a process that listens there is
-//! trusted: so it lies in a folder that only its user can write, its mode lets only that user
+//! A process that may connect acts as the host's owner, and a process that listens there is
+//! trusted. So the socket is in a folder that only its user can write, its mode lets only that user
 //! connect, and a command checks the user of the host.
 
 use std::fs;
@@ -13,16 +13,16 @@ use std::path::{Path, PathBuf};
 use documents::shown;
 use rustix::process::getuid;
 
-/// The socket of a host that the shipped unit starts.
+/// Socket of a host that the shipped unit starts.
 const SERVICE: &str = "/run/letoff/letoff.sock";
 
-/// The bits of a folder's mode by which others may write.
+/// Mode bits by which others may write into a folder.
 const OTHERS_WRITE: u32 = 0o022;
-/// The bit of a folder's mode by which only owners remove their files.
+/// Mode bit of a folder in which only owners remove their files.
 const STICKY: u32 = 0o1000;
 
 /// Returns the socket of this user's host: the value of `LETOFF_SOCKET`, or in the runtime
-/// directory if that is this user's, or else in a folder of the user's own among temporary files.
+/// directory if that is this user's, else in the user's folder among temporary files.
 pub fn socket_path() -> PathBuf {
     if let Some(path) = chosen() {
         return path;
@@ -30,18 +30,15 @@ pub fn socket_path() -> PathBuf {
     session().unwrap_or_else(temporary).join("letoff.sock")
 }
 
-/// Returns the runtime directory of the session, if it is this user's: who becomes another user may
-/// keep the first one's.
+/// Returns the session's runtime directory if it is this user's: a user switch may keep the first
+/// one's.
 fn session() -> Option<PathBuf> {
     let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
     runtime.filter(|folder| owner(folder) == Some(user()))
 }
 
-/// Returns the folder for what outlives a host and not the machine: the service's own, or this
-/// user's, which no other user can write into.
-///
-/// # Errors
-/// If it cannot be made, or is another user's; a sentence.
+/// Returns the folder for files that outlive a host and not the machine: the service's own, or this
+/// user's, into which no other user can write. The error is a sentence.
 pub(crate) fn runtime_folder() -> io::Result<PathBuf> {
     let service = std::env::var_os("RUNTIME_DIRECTORY").map(PathBuf::from);
     let folder = service.filter(|folder| owner(folder) == Some(user())).or_else(session);
@@ -50,41 +47,37 @@ pub(crate) fn runtime_folder() -> io::Result<PathBuf> {
     Ok(folder)
 }
 
-/// Returns this user's folder among temporary files, where anybody could make it before.
+/// Returns this user's folder among temporary files, which any user could have made before.
 fn temporary() -> PathBuf {
     std::env::temp_dir().join(format!("letoff-{}", user()))
 }
 
-/// Returns the same once it is made, and others can write nothing there.
-///
-/// # Errors
-/// If it cannot be made, or is another user's; a sentence.
+/// Makes this user's folder among temporary files; the error is a sentence, also for a folder that
+/// is another user's.
 pub fn temporary_folder() -> io::Result<PathBuf> {
     let folder = temporary();
     prepare_folder(&folder.join("letoff.sock"))?;
     Ok(folder)
 }
 
-/// Returns the value of `LETOFF_SOCKET`.
 pub(super) fn chosen() -> Option<PathBuf> {
     std::env::var_os("LETOFF_SOCKET").map(PathBuf::from)
 }
 
-/// Returns this user's number.
+/// Returns this user's id.
 pub(crate) fn user() -> u32 {
     getuid().as_raw()
 }
 
-/// Returns the owner of a file; none if it cannot be seen.
+/// Returns the owner of a file, if visible.
 pub(crate) fn owner(path: &Path) -> Option<u32> {
     Some(fs::metadata(path).ok()?.uid())
 }
 
-/// Makes the folder of the socket at `path`, for this user only, if it is not there; its own
-/// folder must be.
+/// Makes the folder of the socket at `path`, for this user only, inside an existing folder.
 ///
 /// # Errors
-/// If it cannot be made, or another user could put a socket of theirs there; a sentence.
+/// A sentence, if that fails or another user could put a socket there.
 pub(crate) fn prepare_folder(path: &Path) -> io::Result<()> {
     let folder = folder(path);
     match fs::DirBuilder::new().mode(0o700).create(folder) {
@@ -99,14 +92,11 @@ pub(crate) fn prepare_folder(path: &Path) -> io::Result<()> {
     check_folder(path)
 }
 
-/// Refuses a folder in which another user could put a socket of theirs.
-///
-/// # Errors
-/// If it is one; a sentence.
+/// Rejects a folder in which another user could put a socket; the error is a sentence.
 pub(super) fn check_folder(path: &Path) -> io::Result<()> {
     let folder = folder(path);
     let is_trusted = |uid: u32| uid == user() || uid == 0;
-    // The owner of a symbolic link decides where it leads.
+    // The owner of a symbolic link decides its target.
     let (link, target) = (fs::symlink_metadata(folder)?, fs::metadata(folder)?);
     let stranger =
         [&link, &target].into_iter().map(fs::Metadata::uid).find(|uid| !is_trusted(*uid));
@@ -126,16 +116,16 @@ pub(super) fn check_folder(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Returns whether root has named this path, to ask the host of another user, or it is the
-/// service's: only root and the service manager make its folder.
+/// Returns `true` if root named this path, to ask another user's host, or it is the service's:
+/// only root and the service manager make its folder.
 pub(super) fn is_allowed_to_root(path: &Path) -> bool {
     user() == 0 && (is_service(path) || chosen().is_some_and(|chosen| chosen == path))
 }
 
-/// Removes the socket that a host of this user left at `path`; anything else stays.
+/// Removes the socket that a host of this user left at `path`.
 ///
 /// # Errors
-/// If there is something else, or a host listens; a sentence.
+/// A sentence, if the file is no socket or a host listens.
 pub(crate) fn clear(path: &Path) -> io::Result<()> {
     let found = match fs::symlink_metadata(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
@@ -154,9 +144,8 @@ pub(crate) fn clear(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Returns the name at which the host of process `pid` of this user hears stops, whatever its path.
-///
-/// The system lists such names, and forgets them with their process.
+/// Returns the name at which the host `pid` of this user receives stops, whatever its path. The
+/// system lists such names, and removes them with their process.
 pub(super) fn stop_name(pid: u32) -> Vec<u8> {
     format!("{}{pid}", stop_prefix()).into_bytes()
 }
@@ -165,7 +154,6 @@ fn stop_prefix() -> String {
     format!("letoff/{}/", user())
 }
 
-/// Returns the processes of this user's hosts.
 pub(super) fn hosts() -> Vec<u32> {
     let listed = fs::read_to_string("/proc/net/unix").unwrap_or_default();
     let prefix = format!("@{}", stop_prefix());
@@ -177,7 +165,7 @@ pub(super) fn hosts() -> Vec<u32> {
     pids
 }
 
-/// Returns whether process `pid` was started with the same `LETOFF_SOCKET` as this one.
+/// Returns `true` if process `pid` was started with this process's `LETOFF_SOCKET`.
 pub(super) fn shares_socket(pid: u32) -> bool {
     let environment = fs::read(format!("/proc/{pid}/environ")).unwrap_or_default();
     let mut variables = environment.split(|byte| *byte == 0);
@@ -186,8 +174,8 @@ pub(super) fn shares_socket(pid: u32) -> bool {
     its == own.as_ref().map(|own| own.as_bytes())
 }
 
-/// Returns sockets at which hosts listen elsewhere on this machine, with their owners as far as those can
-/// be seen; `path` is left out.
+/// Returns the sockets of hosts elsewhere on this machine, except `path`, with their visible
+/// owners.
 pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {
     let listed = fs::read_to_string("/proc/net/unix").unwrap_or_default();
     let mut others: Vec<PathBuf> = listening(&listed).filter(|other| other != path).collect();
@@ -196,9 +184,8 @@ pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {
     others.into_iter().map(|other| (owner(&other), other)).map(|(uid, it)| (it, uid)).collect()
 }
 
-/// Returns the listening sockets of the system's list that have a host's name.
+/// Returns the listening sockets of the system's list with a host's name.
 fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
-    /// The flag of a socket that listens.
     const LISTENS: &str = "00010000";
     listed.lines().filter_map(|line| {
         let mut words = line.split_whitespace();
@@ -209,19 +196,17 @@ fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// Returns whether `path` can stand in a command that somebody types: anybody may choose one that a
-/// shell or a terminal would obey.
+/// Returns `true` if `path` is safe in a command to be typed: any user may choose one with
+/// characters that a shell or a terminal would obey.
 fn is_plain(path: &Path) -> bool {
     let is_plain = |it: &u8| it.is_ascii_alphanumeric() || b"/._-+@:".contains(it);
     path.is_absolute() && path.as_os_str().as_bytes().iter().all(is_plain)
 }
 
-/// Returns the socket of the shipped unit's host.
 pub(super) fn service() -> &'static Path {
     Path::new(SERVICE)
 }
 
-/// Returns whether `path` is the socket of the shipped unit's host.
 pub(super) fn is_service(path: &Path) -> bool {
     path == service()
 }

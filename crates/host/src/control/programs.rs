@@ -1,4 +1,4 @@
-//! Program changes that are heard switch instruments while the keys play.
+//! MIDI program changes, which switch instruments while the keys play.
 
 use std::sync::Arc;
 use std::sync::mpsc;
@@ -11,22 +11,20 @@ use telemetry::Request;
 
 use super::RequestHandler;
 
-/// Listens for program changes on the port that a scene names, until it is dropped.
+/// A listener for program changes on the scene's port, until it is dropped.
 #[derive(Debug)]
 pub struct ProgramListener {
     _input: ProgramInput,
 }
 
 impl ProgramListener {
-    /// Listens for the host that `handler` answers for; nothing if its scene names no port.
+    /// Listens for the host of `handler`; `None` if its scene names no port.
     ///
-    /// Instruments are read and built on a thread of its own, one change after the other.
-    ///
-    /// # Errors
-    /// If there is no such port, or the system gives no thread; a sentence.
+    /// A separate thread reads and builds instruments, one change after the other. The error is a
+    /// sentence.
     pub fn start(handler: &Arc<RequestHandler>) -> Result<Option<Self>, String> {
         let (changes, queue) = mpsc::channel::<ProgramChange>();
-        // A listener that is gone hears nothing more.
+        // A listener that has ended needs no more changes.
         let heard = move |change| _ = changes.send(change);
         let input = match &handler.scene.midi.input {
             MidiInput::None => return Ok(None),
@@ -43,7 +41,7 @@ impl ProgramListener {
 }
 
 impl RequestHandler {
-    /// Gives the keys of a channel the instrument of a program; what is refused is logged.
+    /// Gives the keys of a channel the instrument of a program; logs a refusal.
     fn change_program(&self, change: ProgramChange) {
         let ProgramChange { channel, program } = change;
         let who = format!("program change {program} on channel {channel}");
@@ -57,9 +55,8 @@ impl RequestHandler {
     }
 }
 
-/// Returns the keys that `change` is for, and the instrument that they get.
-///
-/// A channel is the range of its number in the scene's file; all channels are the only one.
+/// Returns the keys and the new instrument of `change`. A channel is the number of a range in the
+/// scene's file; a channel for all means the only range.
 fn wanted(scene: &Scene, change: ProgramChange) -> Result<(KeyRange, String), String> {
     let ProgramChange { channel, program } = change;
     let keys = match scene.ranges.as_slice() {
@@ -83,7 +80,6 @@ fn wanted(scene: &Scene, change: ProgramChange) -> Result<(KeyRange, String), St
     Ok((keys, instrument?))
 }
 
-/// Returns `keys` as they are typed.
 fn typed(keys: KeyRange) -> String {
     format!("{}..{}", keys.first().midi(), keys.last().midi())
 }

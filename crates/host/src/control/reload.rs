@@ -1,4 +1,4 @@
-//! A scene that is read again while it plays: what can change live does, or nothing at all.
+//! Re-reads a scene while it plays: all its changes are applied live, or none.
 
 use std::collections::BTreeMap;
 
@@ -10,12 +10,11 @@ use super::new_voice::{NewVoice, VoiceHandover};
 use figures::stability::instabilities;
 
 impl RequestHandler {
-    /// Lets `scene` play, which was read from the file of the scene that plays: its instruments,
-    /// values and settings of `[render]`, over whatever was changed since.
+    /// Plays `scene`, read again from its file: its instruments, values and settings of `[render]`
+    /// replace all later changes.
     ///
     /// # Errors
-    /// If it differs in what needs a new start, or a key would not be stable; then nothing is
-    /// changed. A sentence.
+    /// A sentence if a difference needs a restart, or a key would not be stable; nothing changes.
     pub fn reload(&self, mut scene: Scene, who: &str) -> Result<String, String> {
         self.put_on_same_keys(&mut scene);
         let fixed = self.fixed_differences(&scene);
@@ -45,7 +44,7 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Leaves the keys of `scene` out that have no board, and gives it the delay of the links.
+    /// Omits the keys of `scene` without a board, and sets the delay of the links.
     fn put_on_same_keys(&self, scene: &mut Scene) {
         if matches!(scene.links, LinksConfig::Simulated) {
             return;
@@ -56,7 +55,7 @@ impl RequestHandler {
         }
     }
 
-    /// Returns what of `scene` differs and is fixed from the start on.
+    /// Returns the differences of `scene` that need a restart.
     fn fixed_differences(&self, scene: &Scene) -> Vec<&'static str> {
         let old = &self.scene;
         let has_voice =
@@ -73,14 +72,14 @@ impl RequestHandler {
             ("[pianist]", old.play_list != scene.play_list),
             ("force_limit or slew_limit", limits(&old.render) != limits(&scene.render)),
             ("which keys have a voice", has_voice(old) != has_voice(scene)),
-            // They are the channels on which program changes are heard.
+            // Ranges are the channels of program changes.
             ("the ranges of [[keys]]", hears_programs && old.ranges != scene.ranges),
         ];
         differs.into_iter().filter_map(|(name, differs)| differs.then_some(name)).collect()
     }
 }
 
-/// Gives ranges of `scene` that leave their fidelity to the host the one that plays.
+/// Gives ranges of `scene` without a fixed fidelity the playing one.
 fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
     for range in std::mem::take(&mut scene.fidelity.ranges) {
         let voice = range.keys.numbers().find_map(|key| playing.keys[usize::from(key)].as_ref());
@@ -94,7 +93,7 @@ fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
 }
 
 impl CurrentVoices {
-    /// Returns the voices of `next` that are other ones than these, and how they take over.
+    /// Returns the voices of `next` that differ, with their handover.
     fn differences(&self, next: &Self) -> BTreeMap<u8, NewVoice> {
         let pairs = (0..).zip(self.keys.iter().zip(&next.keys));
         let other = |(key, (old, new)): (u8, (&Option<KeyVoice>, &Option<KeyVoice>))| {
@@ -105,7 +104,7 @@ impl CurrentVoices {
         pairs.filter_map(other).collect()
     }
 
-    /// Returns how the voice of `key` becomes that of `next`; none if it is the same.
+    /// Returns the handover of `key` to its voice in `next`; `None` if they are equal.
     fn handover(
         &self,
         next: &Self,

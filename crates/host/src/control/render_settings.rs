@@ -1,7 +1,7 @@
 //! Settings of `[render]` that change while the host plays.
 //!
-//! They are checked as a scene's are, tried on simulated keys as an instrument is, and voices are
-//! built with them, all beside the tick. Each voice then goes on where the one before it is.
+//! They are checked like a scene's and tried on simulated keys, and voices are built with them, all
+//! off the tick. Each voice then continues from the state of the one before.
 
 use std::collections::BTreeSet;
 
@@ -19,6 +19,7 @@ impl RequestHandler {
     /// Computes all voices by `settings` from now on.
     ///
     /// # Errors
+    /// A sentence on each mistake or unstable key.
     /// All that is wrong with them, or which key is not stable with them, in a sentence each.
     pub(super) fn change_settings(
         &self,
@@ -49,10 +50,8 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Tries `key` as it plays now; returns how many times its force it may have, and its weights.
-    ///
-    /// # Errors
-    /// If there is no such key, or none that plays, in a sentence.
+    /// Tries `key` as it plays now; returns its gain margin and its weights. The error is a
+    /// sentence.
     pub(super) fn margin(&self, key: u8) -> Result<String, String> {
         let keys = single(key)?;
         let scene = {
@@ -81,13 +80,13 @@ impl RequestHandler {
         })
     }
 
-    /// Refuses settings with which an instrument is known not to be stable, or a key is not as
-    /// trials find.
+    /// Rejects settings with which an instrument is known to be unstable, or a key proves unstable
+    /// in trials.
     fn refuse_unstable_settings(&self, tried: &CurrentVoices) -> Result<(), String> {
         let scene = self.scene_of(tried);
         let names: BTreeSet<_> = tried.instruments.iter().flatten().collect();
         for name in names {
-            // What is no instrument by its name was read from a file that has another name now.
+            // A name that loads no instrument is of a file that was renamed.
             let Ok(instrument) = Instrument::load(&self.scene.library, name) else { continue };
             if let Some(unmet) = instrument.needs.unmet(name, scene.tick_hz, &scene.render) {
                 return Err(unmet.to_string());

@@ -1,22 +1,17 @@
-//! A thread that looks at something again and again.
-
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-/// Looks at something again and again, on a thread of its own, until it is dropped.
+/// A thread that polls repeatedly until it is dropped.
 #[derive(Debug)]
 pub struct RepeatedLook {
     stop: Arc<AtomicBool>,
 }
 
 impl RepeatedLook {
-    /// Calls `look` on a thread called `name`, with a `pause` before each time.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
+    /// Calls `look` on a thread called `name`, with a `pause` before each call.
     pub(super) fn start(
         name: &str,
         pause: Duration,

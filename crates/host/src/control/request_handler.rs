@@ -1,4 +1,4 @@
-//! From a request to its answer: it is checked and built here, and sent by the [`RunHandle`].
+//! Checks requests, builds their answers, and sends changes by the [`RunHandle`].
 
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
@@ -22,26 +22,26 @@ use crate::observe::{self, Origin, TelemetryMessage};
 use figures::stability::instabilities;
 use keyboard::KeyRange;
 
-/// All keys of a keyboard, as a range is typed.
+/// All keys, as a range is typed.
 const ALL_KEYS: &str = "A0..C8";
 
 /// Answers requests to the host that runs a scene.
 ///
-/// Requests come from this user's control socket ([`Answers`]), and from clients of the stream
-/// ([`Backend`]), which name files in certain folders only.
+/// Requests come from this user's control socket ([`Answers`]) and from clients of the stream
+/// ([`Backend`]), which may name files in certain folders only.
 #[derive(Debug)]
 pub struct RequestHandler {
     pub(super) scene: Scene,
     pub(super) run: Arc<RunHandle>,
     folders: Folders,
-    /// The voices as they were changed last; each change is made on top of those before.
+    /// Voices after the last change, on which the next change builds.
     playing: Mutex<CurrentVoices>,
-    /// The descriptions that were read while they play; locked after the voices.
+    /// Descriptions that were read while they play; locked after the voices.
     states: Mutex<DescriptionStates>,
     stream: Option<StreamAddress>,
 }
 
-/// The address of a host's stream.
+/// Address of a host's stream.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct StreamAddress {
     /// URL, with the fingerprint of a self-made certificate after `#`.
@@ -51,14 +51,13 @@ pub struct StreamAddress {
 }
 
 impl RequestHandler {
-    /// Answers for the host that runs `scene` behind `run` and streams nothing; clients of the
-    /// stream name files in `folders`.
+    /// Answers for a host without a stream that runs `scene` behind `run`; clients of the stream
+    /// name files in `folders`.
     pub fn new(scene: Scene, run: Arc<RunHandle>, folders: Folders) -> Self {
         let playing = Mutex::new(CurrentVoices::new(&scene));
         Self { scene, run, folders, playing, states: Mutex::default(), stream: None }
     }
 
-    /// Like [`Self::new`], for a host with a `stream`.
     pub fn with_stream(
         scene: Scene,
         run: Arc<RunHandle>,
@@ -68,11 +67,11 @@ impl RequestHandler {
         Self { stream, ..Self::new(scene, run, folders) }
     }
 
-    /// Does what `who` asks for; a request is checked and built as a whole before any of it is
-    /// sent to the run.
+    /// Handles the request of `who`, which is checked and built as a whole before any of it is sent
+    /// to the run.
     ///
     /// # Errors
-    /// Why nothing was changed, in a sentence.
+    /// A sentence why nothing was changed.
     pub fn answer(&self, request: &Request, who: &str) -> Answer {
         self.answer_to(request, who, None)
     }
@@ -111,8 +110,7 @@ impl RequestHandler {
         Ok(Reply::Done { text: done })
     }
 
-    /// Returns the scene as it sounds now. Keys without a board have the voices that they would
-    /// begin with.
+    /// Returns the present scene. Keys without a board have their initial voices.
     fn written(&self) -> String {
         let playing = self.playing();
         let mut scene = self.scene_of(&playing);
@@ -123,7 +121,6 @@ impl RequestHandler {
         written(&scene)
     }
 
-    /// Returns the scene with the settings and voices of `playing`.
     pub(super) fn scene_of(&self, playing: &CurrentVoices) -> Scene {
         Scene { render: playing.render, keys: playing.keys.clone(), ..self.scene.clone() }
     }
@@ -136,7 +133,7 @@ impl RequestHandler {
         Ok(Reply::Where { address: url, token })
     }
 
-    /// Ends the run, and waits until every board was told.
+    /// Ends the run, and waits until every board received the stop.
     fn stop(&self, who: &str) -> Answer {
         self.run.emergency.ask();
         self.run.background.cancel_all();
@@ -187,7 +184,7 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Asks what `instrument` needs, and tries it on some of `keys`, as they are, beside the tick.
+    /// Checks the needs of `instrument` and tries it on some of `keys`, off the tick.
     pub(super) fn refuse_unfit(&self, instrument: &Instrument, keys: &[u8]) -> Result<(), String> {
         let mut scene = self.scene_of(&self.playing());
         let needs = &instrument.needs;
@@ -202,7 +199,7 @@ impl RequestHandler {
         unstable.into_iter().next().map_or(Ok(()), Err)
     }
 
-    /// Sends `voices` to their keys, after `catalogue`, if there is another one.
+    /// Sends `voices` to their keys, after a new `catalogue`, if any.
     pub(super) fn put_in(
         &self,
         playing: &mut CurrentVoices,
@@ -218,7 +215,7 @@ impl RequestHandler {
             let index = usize::from(*key);
             let revision = self.run.new_revision();
             changes.push((index, self.change(&builder, new, revision)?));
-            // Values that are changed are still that instrument's.
+            // Changed values still belong to that instrument.
             let (instrument, kept) = match &new.handover {
                 VoiceHandover::Anew(_voicing, name) => (Some(name), false),
                 VoiceHandover::Values | VoiceHandover::Version(_) | VoiceHandover::Settings => {
@@ -234,7 +231,7 @@ impl RequestHandler {
         Ok(())
     }
 
-    /// Builds what the voice of a key becomes.
+    /// Builds the change of a key's voice.
     fn change(
         &self,
         builder: &VoiceBuilder<'_>,
@@ -254,7 +251,7 @@ impl RequestHandler {
         }
     }
 
-    /// Sends to telemetry that `who` did something.
+    /// Reports the action of `who` to telemetry.
     pub(super) fn tell(&self, text: &str, who: &str) {
         let event = Event {
             kind: event::Kind::Change.into(),
@@ -303,7 +300,7 @@ impl RequestHandler {
     }
 }
 
-/// Returns the values of `voice` for the voice of the same model that plays.
+/// Returns the values of `voice` for the playing voice of the same model.
 fn retuning(voice: &KeyVoice, revision: u32) -> Result<VoiceChange, String> {
     let values = ModelValues::new(voice.model.id(), revision, &voice.values);
     let many = || format!("{} has too many parameters to be changed", voice.model.name);

@@ -1,5 +1,3 @@
-//! The parts of a run that requests reach: its voices, its keys, its telemetry and its stop.
-
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
@@ -18,54 +16,50 @@ use super::voice_port::VoicePort;
 use super::{BackgroundWork, EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING, RunStatus};
 use crate::observe::{RecordingHandle, TelemetryMessage};
 
-/// The way from requests into a run, from its preparation to its end.
+/// Access of requests to a run, from its preparation to its end.
 ///
-/// It is off the tick on both sides: the tick sees the rings behind it, and the one load of
+/// Both ends are off the tick: the tick reads the rings behind it, and does the one load of
 /// [`EmergencyStop::is_asked`].
 #[derive(Debug, Default)]
 pub struct RunHandle {
     pub emergency: EmergencyStop,
-    /// What is done for it beside the tick.
+    /// Work for the run off the tick.
     pub background: BackgroundWork,
-    /// What it does, for whoever asks.
     pub status: Arc<RunStatus>,
-    /// The socket of the guardian that is to hold its MIDI port; none holds it otherwise.
+    /// Socket of the guardian for its MIDI port, if any.
     guardian: Option<PathBuf>,
     voices: Mutex<VoicePort>,
     keys: Mutex<KeyPort>,
     telemetry: Mutex<TelemetryPort>,
 }
 
-/// The way to the telemetry thread of a run.
+/// Access to the telemetry thread of a run.
 #[derive(Debug, Default)]
 struct TelemetryPort {
     sender: Option<mpsc::Sender<TelemetryMessage>>,
-    /// The recording that was begun by a request.
+    /// Recording that a request began.
     recording: Option<RecordingHandle>,
 }
 
-/// What holds its notes.
 impl RunHandle {
-    /// Returns the handle of a run whose MIDI port is held by the guardian at `path`; this
-    /// program must be one that can be started as a guardian.
+    /// Returns the handle of a run with a guardian at `path`; this program must be able to start
+    /// as a guardian.
     pub fn guarded_at(path: PathBuf) -> Self {
         Self { guardian: Some(path), ..Self::default() }
     }
 
-    /// Returns the socket of its guardian, if it is to have one.
     pub(crate) fn guardian(&self) -> Option<&Path> {
         self.guardian.as_deref()
     }
 }
 
-/// Changes of its voices, and their energy audits.
 impl RunHandle {
-    /// Lets changes of voices in.
+    /// Admits changes of voices.
     pub fn open(&self, swaps: VoiceSwaps) {
         lock(&self.voices).swaps = Some(swaps);
     }
 
-    /// Lets no more changes of voices in.
+    /// Rejects further changes of voices.
     pub fn close(&self) {
         lock(&self.voices).swaps = None;
     }
@@ -75,20 +69,18 @@ impl RunHandle {
         lock(&self.voices).new_revision()
     }
 
-    /// Returns the cell in which one more voice publishes its energy audit.
+    /// Returns a new cell in which a voice publishes its energy audit.
     pub fn new_cell(&self) -> Arc<AuditCell> {
         lock(&self.voices).new_cell()
     }
 
-    /// Returns the audits of all voices together.
+    /// Returns the sum of all voices' audits.
     pub fn energy(&self) -> EnergyAudit {
         lock(&self.voices).energy()
     }
 
-    /// Sends `changes` to the voices of their keys, after `messages` to telemetry; all or none.
-    ///
-    /// # Errors
-    /// Why none was taken, in a sentence.
+    /// Sends `messages` to telemetry, then `changes` to the voices of their keys; all or none. The
+    /// error is a sentence.
     pub fn send(
         &self,
         changes: Vec<(usize, VoiceChange)>,
@@ -99,14 +91,11 @@ impl RunHandle {
     }
 }
 
-/// Fingers and lights of its keys, and the way to them.
 impl RunHandle {
-    /// Lets boards show their lights.
     pub fn lend_lights(&self, lights: Lights) {
         *lock(&self.keys) = KeyPort::Boards(lights);
     }
 
-    /// Lets simulated keys be pressed.
     pub fn lend_fingers(&self, hands: Producer<(KeyIndex, HandCommand)>) {
         *lock(&self.keys) = KeyPort::Simulated(FingerQueue::new(hands));
     }
@@ -114,30 +103,25 @@ impl RunHandle {
     /// Presses a simulated key or grips it for `by`; no weight releases it.
     ///
     /// # Errors
-    /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
+    /// A sentence if the key is missing or real, or the ring is full.
     pub fn press(&self, key: u8, hand: HandCommand, by: FingerOwner) -> Result<(), String> {
         lock(&self.keys).press(key, hand, by)
     }
 
-    /// Releases all keys that the client with this connection has pressed, and cancels what it
-    /// waits for.
+    /// Releases the keys and cancels the loads of `connection`.
     pub fn leave(&self, connection: u64) {
         self.background.cancel(connection);
         lock(&self.keys).leave(connection);
     }
 
-    /// Has a board show its light.
-    ///
-    /// # Errors
-    /// Why it cannot, in a sentence.
+    /// Switches on a board's light; the error is a sentence.
     pub fn identify(&self, line: u32, board: u32) -> Result<String, String> {
         lock(&self.keys).identify(line, board)
     }
 }
 
-/// Messages to its telemetry thread.
 impl RunHandle {
-    /// Sends messages to telemetry by `sender` from now on.
+    /// Sets the path for messages to telemetry.
     pub fn connect(&self, sender: mpsc::Sender<TelemetryMessage>) {
         lock(&self.telemetry).sender = Some(sender);
     }
@@ -153,10 +137,7 @@ impl RunHandle {
         self.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
     }
 
-    /// Records the whole run into `file`, whatever is begun by requests.
-    ///
-    /// # Errors
-    /// Why it cannot, in a sentence.
+    /// Records the whole run into `file`, independently of requests. The error is a sentence.
     pub fn record_run(
         &self,
         file: &Path,
@@ -165,10 +146,7 @@ impl RunHandle {
         lock(&self.telemetry).begin(file, limits)
     }
 
-    /// Begins to record into `file`, or ends what was begun so.
-    ///
-    /// # Errors
-    /// Why it cannot, in a sentence.
+    /// Begins a recording into `file`, or ends the one that was begun so. The error is a sentence.
     pub fn record(&self, file: Option<&str>, limits: RecordingLimits) -> Result<String, String> {
         let mut telemetry = lock(&self.telemetry);
         let done = telemetry.record(file, limits)?;
@@ -207,8 +185,7 @@ impl TelemetryPort {
     }
 }
 
-/// Locks `mutex`; a thread that panicked left it whole, since every change is one assignment or
-/// push.
+/// Locks `mutex`, also after a panic: every change is one assignment or push, so data are whole.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,4 +1,4 @@
-//! What a run does and how it goes, for whoever asks: `letoff status`, metrics, service managers.
+//! State of a run, for `letoff status`, metrics and service managers.
 
 use std::collections::VecDeque;
 use std::sync::atomic::Ordering::Relaxed;
@@ -13,15 +13,14 @@ use telemetry::{RunProgress, Spread, Topic, Update, key_name};
 use crate::adapters::observer::LiveCounters;
 use crate::observe::{MessageSink, RecordingHandle};
 
-/// The state of a run, from its preparation to its end; the tick does not know it.
+/// State of a run, from its preparation to its end, off the tick.
 #[derive(Debug, Default)]
 pub struct RunStatus(Mutex<StatusParts>);
 
-/// All that is known of a run.
 #[derive(Debug, Default)]
 struct StatusParts {
     state: HostState,
-    /// When the state began (s since 1970).
+    /// Begin of the state (s since 1970).
     since: u64,
     rehearsed: [u64; 2],
     scene: String,
@@ -33,39 +32,36 @@ struct StatusParts {
     last_faults: VecDeque<String>,
 }
 
-/// What is known of a run once it is prepared.
+/// Facts about a run once it is prepared.
 #[derive(Clone, Debug)]
 pub struct RunDescription {
     pub tick_hz: u32,
-    /// Ticks after which the play list begins again, if it does.
+    /// Ticks of a pass, if the play list repeats.
     pub pass: Option<u64>,
-    /// Keys with a voice.
     pub voices: u32,
-    /// The MIDI output in words, or why there is none.
+    /// Name of the MIDI output, or the reason for its absence.
     pub midi: String,
     pub counters: Arc<LiveCounters>,
 }
 
-/// Faults that are kept.
+/// Number of faults to keep.
 const KEPT: usize = 8;
 
-/// Longest time without a tick of a host that is not said to hang: ten ticks of the slowest rate.
+/// Longest time without a tick before a host counts as hanging: ten ticks of the slowest rate.
 const STALL: Duration = Duration::from_millis(250);
 
 impl RunStatus {
-    /// Notes that a run of `scene` is prepared.
     pub fn prepare(&self, scene: &str) {
         scene.clone_into(&mut self.lock().scene);
         self.enter(HostState::Preparing);
     }
 
-    /// Notes what the run does from now on.
     pub fn enter(&self, state: HostState) {
         let mut parts = self.lock();
         (parts.state, parts.since) = (state, seconds_now());
     }
 
-    /// Notes how many of `total` strokes are rehearsed.
+    /// Sets the number of rehearsed strokes, `done` of `total`.
     pub fn rehearse(&self, done: usize, total: usize) {
         let mut parts = self.lock();
         if parts.state != HostState::Rehearsing {
@@ -74,22 +70,18 @@ impl RunStatus {
         parts.rehearsed = [done, total].map(|it| u64::try_from(it).unwrap_or(u64::MAX));
     }
 
-    /// Notes what will run.
     pub fn describe(&self, run: RunDescription) {
         self.lock().run = Some(run);
     }
 
-    /// Notes the recording that is made of the run, if there is one.
     pub fn records(&self, recording: Option<RecordingHandle>) {
         self.lock().recording = recording;
     }
 
-    /// Notes that a client of the stream has come.
     pub fn client_came(&self) {
         self.lock().clients += 1;
     }
 
-    /// Notes that one has gone.
     pub fn client_left(&self) {
         let mut parts = self.lock();
         parts.clients = parts.clients.saturating_sub(1);
@@ -100,13 +92,12 @@ impl RunStatus {
         self.lock().run.as_ref().map(|run| Arc::clone(&run.counters))
     }
 
-    /// Returns all that is known now.
+    /// Returns the present status.
     pub fn read(&self) -> HostStatus {
         self.lock().status()
     }
 
-    /// Returns the same, after a look whether ticks go on where they should: a quarter of a second
-    /// at most.
+    /// Like [`Self::read`], after checking for at most 0.25 s that ticks continue.
     pub fn examine(&self) -> HostStatus {
         const LOOKS: u32 = 50;
         let first = self.read();
@@ -194,12 +185,11 @@ fn boards(links: &Links) -> Vec<BoardState> {
     links.boards.iter().map(board).collect()
 }
 
-/// Notes what telemetry tells of a run.
+/// A sink that updates a run's status.
 #[derive(Debug)]
 pub struct StatusSink(Arc<RunStatus>);
 
 impl StatusSink {
-    /// Returns a sink that writes into `status`.
     pub const fn new(status: Arc<RunStatus>) -> Self {
         Self(status)
     }
@@ -259,7 +249,7 @@ impl MessageSink for StatusSink {
     }
 }
 
-/// Returns how often what begins again after `length` ticks has begun within `ticks`.
+/// Returns how many passes of `length` ticks have begun within `ticks`.
 pub(crate) fn passes(ticks: u64, length: u64) -> u64 {
     1 + ticks.saturating_sub(1) / length
 }

@@ -23,62 +23,59 @@ use super::{Answer, Request, place};
 /// Longest request (bytes).
 const MAX_REQUEST: u64 = 4096;
 
-/// Most clients at once; all are this user's.
+/// Maximum number of clients, all of this user.
 const MOST_CLIENTS: u32 = 64;
 
-/// Longest time that a client takes for its request, and for hearing the answer.
+/// Longest time for a client's request, and for reading the answer.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// The number of the first connection: clients of the stream are counted from 1.
+/// Number of the first connection; clients of the stream are counted from 1.
 const FIRST: u64 = 1 << 63;
 
-/// Answers requests of the control socket.
+/// An answering service behind the control socket.
 pub trait Answers: Send + Sync + 'static {
-    /// Does what `request` asks, which came by `connection`, and returns when it is done; it may
-    /// block.
+    /// Handles `request` of `connection` and returns when it is done; may block.
     ///
     /// # Errors
-    /// If it is refused; a sentence.
+    /// A sentence why it is rejected.
     fn reply_to(&self, request: &Request, connection: u64) -> Answer;
 
-    /// Hears that `connection` has ended: what was pressed by it is let go.
+    /// Releases the keys that `connection` pressed, at its end.
     fn left(&self, connection: u64) {
         let _ = connection;
     }
 }
 
-/// The number of the first connection by a host's name.
+/// Number of the first connection by a host's name.
 const FIRST_BY_NAME: u64 = FIRST | 1 << 62;
 
 /// A socket that is removed when the host ends.
 #[derive(Debug)]
 pub struct ControlServer {
     listener: UnixListener,
-    /// The number of its first connection.
     first: u64,
-    /// The file that was made, if it has one.
+    /// File of the socket, if it has one.
     file: Option<SocketFile>,
 }
 
-/// The file of a socket.
 #[derive(Debug)]
 struct SocketFile {
     path: PathBuf,
-    /// Its device and number.
+    /// Device and inode.
     made: (u64, u64),
 }
 
 impl ControlServer {
-    /// Listens at `path`, for this user only; a socket that a killed host of this user left is
-    /// replaced, and anything else that is there is left alone.
+    /// Listens at `path`, for this user only. Replaces only a socket left by a killed host of this
+    /// user.
     ///
     /// # Errors
-    /// If another host listens there, something else lies there, or others could put a socket of
-    /// theirs there; a sentence.
+    /// A sentence, if another host listens, the file is no socket, or others could put a socket
+    /// there.
     pub fn listen(path: &Path) -> io::Result<Self> {
         place::prepare_folder(path)?;
         place::clear(path)?;
-        // Only this user has access to the socket from the beginning, and the group of the service.
+        // Only this user, and the service's group, have access to the socket from the beginning.
         let group = if place::is_service(path) { Mode::XGRP } else { Mode::RWXG };
         let before = umask(group | Mode::RWXO | Mode::XUSR);
         let bound = UnixListener::bind(path);
@@ -88,7 +85,7 @@ impl ControlServer {
     }
 
     /// Listens at a name of this process, by which `letoff stop` finds it whatever its path; other
-    /// users are not let in.
+    /// users are rejected.
     ///
     /// # Errors
     /// If the system has no such names, or another process has taken this one.
@@ -101,7 +98,7 @@ impl ControlServer {
     }
 }
 
-/// Returns the device and the number of the file at `path`.
+/// Returns device and inode of the file at `path`.
 fn file(path: &Path) -> io::Result<(u64, u64)> {
     let found = fs::symlink_metadata(path)?;
     Ok((found.dev(), found.ino()))
@@ -118,19 +115,18 @@ impl Drop for ControlServer {
     }
 }
 
-/// Counts the clients that are being answered.
+/// Counter of the clients that are being answered.
 #[derive(Clone, Debug)]
 pub struct Clients(Arc<Semaphore>);
 
 impl Default for Clients {
-    /// Returns a count of no clients.
     fn default() -> Self {
         Self(Arc::new(Semaphore::new(MOST_CLIENTS as usize)))
     }
 }
 
 impl Clients {
-    /// Waits until all clients have their answer, for half a second at most.
+    /// Waits until all clients have their answer, at most 0.5 s.
     pub async fn leave(&self) {
         /// Longer than it takes to write a line.
         const GRACE: Duration = Duration::from_millis(500);
@@ -138,7 +134,7 @@ impl Clients {
     }
 }
 
-/// Answers clients, so many at once, until it is dropped.
+/// Answers clients, a limited number at once, until it is dropped.
 pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: Clients) {
     /// Pause when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
@@ -164,18 +160,18 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
     }
 }
 
-/// The requests that a client may make.
+/// The permitted requests of a client.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ClientRights {
-    /// The host's user and root ask for anything.
+    /// The host's user and root may send any request.
     Owner,
-    /// Members of the service's group stop the host and ask how it goes.
+    /// Members of the service's group may stop the host and read its status.
     Group,
 }
 
 impl ClientRights {
-    /// Returns the rights of who connects to `server` by `stream`; `None` if it is a stranger. Only
-    /// the service's group may open the file of a socket beside its owner.
+    /// Returns the rights of the peer of `stream`; `None` for a stranger. Only the service's group
+    /// and its owner may open the socket's file.
     fn of(stream: &UnixStream, server: &ControlServer) -> Option<Self> {
         let uid = stream.peer_cred().ok()?.uid();
         if uid == place::user() || uid == 0 {
@@ -192,31 +188,29 @@ impl ClientRights {
     }
 }
 
-/// A connection of the control socket.
 struct ControlClient<A> {
     connection: u64,
     rights: ClientRights,
     answers: Arc<A>,
-    /// A permit for each connection by which something is held.
+    /// A permit for each connection by which a key is held.
     holders: Arc<Semaphore>,
 }
 
-/// A connection by which a key is pressed.
 struct HeldConnection {
     stream: UnixStream,
     _permit: OwnedSemaphorePermit,
 }
 
 impl HeldConnection {
-    /// Waits until the other side closes it, or says more, which nobody does.
+    /// Waits until the client closes it or sends more, which no client does.
     async fn until_it_ends(&mut self) {
         let _end = self.stream.read_u8().await;
     }
 }
 
 impl<A: Answers> ControlClient<A> {
-    /// Answers the request that comes by `stream`; one that fails, stalls or talks nonsense is
-    /// dropped.
+    /// Answers the request on `stream`; drops a client that fails, stalls or sends an invalid
+    /// request.
     async fn attend(self, stream: UnixStream, place: OwnedSemaphorePermit) {
         if let Ok(Some(mut held)) = self.converse(stream, place).await {
             held.until_it_ends().await;
@@ -224,8 +218,7 @@ impl<A: Answers> ControlClient<A> {
         self.answers.left(self.connection);
     }
 
-    /// Answers one request; `place` is for the time that this takes. Returns the connection if
-    /// something is held by it.
+    /// Answers one request while holding `place`. Returns the connection if it holds a key.
     async fn converse(
         &self,
         mut stream: UnixStream,
@@ -254,9 +247,9 @@ impl<A: Answers> ControlClient<A> {
         Ok(held.map(|permit| HeldConnection { stream, _permit: permit }))
     }
 
-    /// Building a keyboard of voices may take a while: not on the thread that hears signals.
+    /// Answers on a blocking thread, since building many voices would delay signals.
     async fn answer(&self, request: Request, stream: &UnixStream) -> Answer {
-        /// Time between two looks whether the client is still there.
+        /// Interval of the checks for a client that left.
         const LOOK: Duration = Duration::from_millis(100);
         let (answers, connection) = (Arc::clone(&self.answers), self.connection);
         let mut answered =

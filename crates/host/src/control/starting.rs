@@ -1,4 +1,4 @@
-//! The control socket's answers from a host's first moment on.
+//! Answers of the control socket from the start of a host.
 
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
@@ -8,17 +8,15 @@ use telemetry::{Reply, Request};
 
 use super::{Answer, Answers, Folders, RequestHandler, RunHandle, StreamAddress};
 
-/// Time between two looks whether the scene is known.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Looks before whoever asks is told to ask again: 3 s, less than a client's patience.
+/// Polls before the host answers "try again": 3 s, shorter than the client's timeout.
 const MOST_LOOKS: u32 = 150;
 
-/// Refusal of a host that is not ready within `MOST_LOOKS` polls.
 pub const STARTING: &str = "the host is starting, and tries its keys: ask again in a moment";
 
-/// Answers for a host that still tries its keys: a stop and how it goes at once, and all else when
-/// its scene is known and its stream listens.
+/// Answers for a host that still tries its keys: stop and status at once, other requests when its
+/// scene is known and its stream listens.
 #[derive(Debug)]
 pub struct StartingHost {
     run: Arc<RunHandle>,
@@ -26,12 +24,11 @@ pub struct StartingHost {
 }
 
 impl StartingHost {
-    /// Answers for the host behind `run`.
     pub const fn new(run: Arc<RunHandle>) -> Self {
         Self { run, requests: OnceLock::new() }
     }
 
-    /// Answers all requests from now on, to a host that runs `scene` with this `stream`; clients of
+    /// Starts to answer all requests, for a host that runs `scene` with this `stream`; clients of
     /// the stream name files in `folders`.
     pub fn begin(
         &self,
@@ -44,7 +41,7 @@ impl StartingHost {
         Arc::clone(self.requests.get_or_init(make))
     }
 
-    /// Waits until the scene is known; nothing if that takes too long.
+    /// Waits until the scene is known; `None` if that takes too long.
     fn wait(&self) -> Option<&Arc<RequestHandler>> {
         (0..MOST_LOOKS).find_map(|_look| {
             std::thread::sleep(LOOK);

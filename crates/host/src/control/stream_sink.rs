@@ -1,5 +1,3 @@
-//! From telemetry messages to the stream's clients.
-
 use std::collections::BTreeMap;
 
 use telemetry::stream::{ParameterSetting, Publisher};
@@ -8,26 +6,24 @@ use telemetry::{Catalogue, Topic, Update};
 use super::current_voices::setting_of;
 use crate::observe::MessageSink;
 
-/// Publishes telemetry messages to the clients that follow their topics.
+/// A sink that publishes telemetry to the clients that follow its topics.
 #[derive(Debug)]
 pub struct StreamSink {
     publisher: Publisher,
-    /// Names of the parameters of each model that may play, by its name and version.
+    /// Parameter names of each model that may play, by its name and version.
     parameters: BTreeMap<(String, u32), Vec<String>>,
-    /// The values of each key's voice as they were published last.
+    /// Last published values of each key's voice.
     published: BTreeMap<u32, Vec<ParameterSetting>>,
-    /// The number of followings at the last look.
+    /// Number of followings at the last poll.
     followings: u64,
 }
 
 impl StreamSink {
-    /// Returns a sink that sends by `publisher`.
     pub const fn new(publisher: Publisher) -> Self {
         let parameters = BTreeMap::new();
         Self { publisher, parameters, published: BTreeMap::new(), followings: 0 }
     }
 
-    /// Publishes the values that changed.
     fn publish_changed(&mut self, voice: &telemetry::Voice) {
         let values = self.values_of(voice);
         let before = self.published.get(&voice.key);
@@ -49,7 +45,6 @@ impl StreamSink {
         values.map(|(parameter, value)| setting_of(key, parameter, *value)).collect()
     }
 
-    /// Notes the parameters of the models that may play.
     fn note_models(&mut self, catalogue: &Catalogue) {
         for model in &catalogue.models {
             let names = model.parameters.iter().map(|it| it.name.clone()).collect();
@@ -69,7 +64,7 @@ impl MessageSink for StreamSink {
     }
 
     fn wants(&self, topic: Topic) -> bool {
-        // Clients that come later get these at once.
+        // Clients that connect later get these at once.
         matches!(topic, Topic::Catalogue | Topic::Voices) || self.publisher.is_followed(topic)
     }
 

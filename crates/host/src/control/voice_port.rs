@@ -1,5 +1,3 @@
-//! The way to the voices of a run, and what they did with energy.
-
 use std::sync::Arc;
 
 use engine::realtime::pool::{VoiceChange, VoiceSwaps};
@@ -11,30 +9,28 @@ use super::NOT_RUNNING;
 /// Numbers voices, sends changes to them and sums up their energy audits.
 #[derive(Debug, Default)]
 pub(super) struct VoicePort {
-    /// The way into the lanes, while there are any.
+    /// Access to the lanes of a run, if any.
     pub(super) swaps: Option<VoiceSwaps>,
-    /// The number that was given last.
+    /// Last assigned number.
     revisions: u32,
     audits: EnergySum,
 }
 
-/// The energy audits of all voices that ever played.
+/// Energy audits of all voices that ever played.
 #[derive(Debug, Default)]
 struct EnergySum {
-    /// The sum over voices that are gone.
+    /// Sum over voices that are gone.
     settled: EnergyAudit,
     /// Cells of voices that may still play.
     open: Vec<Arc<AuditCell>>,
 }
 
 impl VoicePort {
-    /// Returns the next number of a voice, from 1.
     pub(super) const fn new_revision(&mut self) -> u32 {
         self.revisions += 1;
         self.revisions
     }
 
-    /// Returns the cell in which one more voice publishes its energy audit.
     pub(super) fn new_cell(&mut self) -> Arc<AuditCell> {
         let cell = Arc::new(AuditCell::default());
         self.audits.settle();
@@ -42,17 +38,14 @@ impl VoicePort {
         cell
     }
 
-    /// Returns the audits of all voices together.
     pub(super) fn energy(&self) -> EnergyAudit {
         let mut sum = self.audits.settled;
         self.audits.open.iter().for_each(|cell| sum.add(&cell.read()));
         sum
     }
 
-    /// Sends `changes` to the voices of their keys, after `tell` was called; all or none. They wait
-    /// a moment for those that were sent before them.
-    ///
-    /// # Errors
+    /// Calls `tell`, then sends `changes` to the voices of their keys; all or none. They wait a
+    /// moment for earlier changes. The error is a sentence.
     /// Why none was taken, in a sentence.
     pub(super) fn send(
         &mut self,
@@ -71,7 +64,7 @@ impl VoicePort {
 }
 
 impl EnergySum {
-    /// Adds up the voices that are gone, so that their cells take no room.
+    /// Adds the voices that are gone to the sum, which frees their cells.
     fn settle(&mut self) {
         let settled = &mut self.settled;
         self.open.retain(|cell| {

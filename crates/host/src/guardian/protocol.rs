@@ -73,12 +73,14 @@ pub(super) enum HostLine {
     },
     /// A sign that the host lives and its ticks continue.
     Beat,
+    /// End of the run: the port may close.
     Finish,
 }
 
 /// A line from the guardian.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(super) enum GuardianLine {
+    /// The port is open.
     Opened {},
     /// This machine has no MIDI; a sentence.
     Missing { why: String },
@@ -86,6 +88,7 @@ pub(super) enum GuardianLine {
     Refused { why: String },
     /// The guardian is another host's or of another version; a sentence.
     Declined { why: String },
+    /// Answer to a beat.
     Beat(PassedOn),
     /// All notes are ended and the port is closed.
     Finished { passed_on: PassedOn, after_us: Option<Quantiles> },

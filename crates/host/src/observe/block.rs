@@ -14,14 +14,13 @@ pub(crate) mod flag {
     pub(crate) const GAP: u8 = 8;
 }
 
-/// A row's flags.
 pub(super) const fn flags(stands: RowFlags) -> u8 {
     (if stands.idle { flag::IDLE } else { 0 })
         | (if stands.late { flag::LATE } else { 0 })
         | (if stands.fresh { flag::FRESH } else { 0 })
 }
 
-/// A fault's number in messages; the larger the worse.
+/// Returns a fault's number in messages; the larger the worse.
 pub(super) const fn fault_number(fault: Option<VoiceFault>) -> u8 {
     match fault {
         None => 0,
@@ -35,7 +34,7 @@ pub(super) const fn fault_number(fault: Option<VoiceFault>) -> u8 {
     }
 }
 
-/// Adds what a board measured of a key's speed to the rows that were pushed so far.
+/// Adds the key speed measured by a board to the rows pushed so far.
 fn push_velocity(block: &mut KeyBlock, velocity: Option<f64>) {
     if velocity.is_some() || !block.velocity.is_empty() {
         block.velocity.resize(block.taken.len(), f64::NAN);
@@ -45,7 +44,7 @@ fn push_velocity(block: &mut KeyBlock, velocity: Option<f64>) {
     }
 }
 
-/// Adds the limit of a turn that was cut off to the rows that were pushed so far.
+/// Adds the limit of a turn that was cut off to the rows pushed so far.
 fn push_limit(block: &mut KeyBlock, limit: u32) {
     if 0 < limit || !block.limit.is_empty() {
         block.limit.resize(block.taken.len() - 1, 0);
@@ -53,14 +52,13 @@ fn push_limit(block: &mut KeyBlock, limit: u32) {
     }
 }
 
-/// Collects rows of one key.
 #[derive(Debug, Default)]
 pub(super) struct BlockBuilder {
     block: KeyBlock,
 }
 
 impl BlockBuilder {
-    /// Adds a row that `probe` looks at, if its model is known.
+    /// Adds a row with the signals of `probe`, if its model is known.
     pub(super) fn push(&mut self, row: &KeyRow, flags: u8, probe: Option<&dyn ModelProbe>) {
         let block = &mut self.block;
         if block.after.is_empty() {
@@ -85,20 +83,18 @@ impl BlockBuilder {
         }
     }
 
-    /// The block so far, if there is any; the next one begins.
-    ///
-    /// A block is of voices with one number of signals each.
+    /// Takes the block so far, if any. All its voices have the same number of signals.
     pub(super) fn take(&mut self) -> Option<KeyBlock> {
         (!self.block.after.is_empty()).then(|| std::mem::take(&mut self.block))
     }
 
-    /// Whether `row` is of another voice than the rows so far.
+    /// Returns `true` if `row` is of another voice than the rows so far.
     pub(super) fn is_of_another(&self, row: &KeyRow) -> bool {
         self.block.revision.last().is_some_and(|last| *last != row.look.revision)
     }
 }
 
-/// The rows of `block` one by one, for viewers of single values.
+/// Returns the rows of `block` one by one, for viewers of single values.
 pub(super) fn states(block: &KeyBlock) -> impl Iterator<Item = KeyState> {
     let rows = block.after.len().max(1);
     let width = block.signals.len() / rows;

@@ -10,8 +10,7 @@ use telemetry::{Catalogue, Description, DescriptionFile, Instrument, Model, Para
 use super::model_probe::{modes, signals};
 use scene::{self, InstrumentHead, LinksConfig, Scene};
 
-/// Returns the catalogue of a host that runs `scene` and plays `models`; when it began is not known
-/// yet.
+/// Returns the catalogue of a host that runs `scene` and plays `models`, without its start time.
 pub fn catalogue(scene: &Scene, models: &[Arc<LoadedModel>]) -> Catalogue {
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -28,7 +27,6 @@ pub fn catalogue(scene: &Scene, models: &[Arc<LoadedModel>]) -> Catalogue {
     }
 }
 
-/// Returns `models`, each once.
 pub fn distinct<'a, I>(models: I) -> Vec<Arc<LoadedModel>>
 where
     I: IntoIterator<Item = &'a Arc<LoadedModel>>,
@@ -42,7 +40,7 @@ where
     distinct
 }
 
-/// Returns the version of a description that `entry` is, with the text of its files.
+/// Returns the description behind `entry`, with the text of its files.
 fn description(entry: &ModelEntry) -> Option<Description> {
     let source = entry.source.as_ref()?;
     let texts = source.contents.texts().into_iter();
@@ -81,7 +79,7 @@ fn parameter(it: &instruments::Parameter) -> Parameter {
 }
 
 /// Returns all embedded instruments; those of `models` with their values on every key. The others
-/// are not read, since to derive their models would hold up the start.
+/// are not read, since deriving their models would delay the start.
 fn instruments(models: &[Arc<LoadedModel>]) -> Vec<Instrument> {
     let keys = || (0..=u8::MAX).take(KEYS);
     let known: Vec<_> =

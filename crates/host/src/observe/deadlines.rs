@@ -1,4 +1,4 @@
-//! All ticks so far, as distributions.
+//! Times of all ticks so far, as distributions.
 
 use hdrhistogram::Histogram;
 use scheduler::deadline::{MissCause, Outcome};
@@ -8,7 +8,6 @@ use super::pulses::PulseRow;
 use crate::report::Quantiles;
 use engine::realtime::run::{CreationError, histogram};
 
-/// Sums up the times of all ticks.
 #[derive(Debug)]
 pub(super) struct DeadlinesBuilder {
     counts: Deadlines,
@@ -18,7 +17,6 @@ pub(super) struct DeadlinesBuilder {
 }
 
 impl DeadlinesBuilder {
-    /// Returns sums over no ticks.
     pub(super) fn new() -> Result<Self, CreationError> {
         Ok(Self {
             counts: Deadlines::default(),
@@ -28,12 +26,10 @@ impl DeadlinesBuilder {
         })
     }
 
-    /// Ticks that were not run.
     pub(super) const fn skip(&mut self, ticks: u64) {
         self.counts.skipped += ticks;
     }
 
-    /// Adds the times of one tick.
     pub(super) fn push(&mut self, pulse: &PulseRow) {
         self.lateness.saturating_record(pulse.lateness);
         self.turnaround.saturating_record(pulse.turnaround);
@@ -49,7 +45,6 @@ impl DeadlinesBuilder {
         } += 1;
     }
 
-    /// Returns the sums so far.
     pub(super) fn read(&self) -> Deadlines {
         Deadlines {
             lateness: Some(spread(&self.lateness)),
@@ -60,7 +55,7 @@ impl DeadlinesBuilder {
     }
 }
 
-/// Returns a histogram with edges that double, of the times up to its largest (us).
+/// Returns a histogram with doubling edges, up to the largest time (us).
 fn spread(histogram: &Histogram<u64>) -> Spread {
     let Quantiles { p50, p99, p99_9, max } = Quantiles::of(histogram);
     let bins = histogram.iter_log(1_000, 2.0);

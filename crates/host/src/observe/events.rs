@@ -1,5 +1,3 @@
-//! What happened, as messages.
-
 use midi::{Pedal, PedalMove};
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::observation::Switch;
@@ -11,15 +9,13 @@ use super::ModelProbe;
 use super::pulses::{PulseRow, words};
 use crate::adapters::tick_recorder::{KeyRow, TickRow};
 
-/// The key of what is of no key.
+/// Key number of events without a key.
 pub const NO_KEY: u32 = 255;
 
-/// Something of a key at (tick, θ).
 fn at(kind: Kind, key: u8, Moment { tick, theta }: Moment) -> Event {
     Event { kind: kind.into(), tick, theta, key: key.into(), ..Event::default() }
 }
 
-/// A change of mode in `tick`.
 pub(super) fn switch(tick: u64, key: u8, it: &Switch, probe: Option<&dyn ModelProbe>) -> Event {
     let guard = probe.and_then(|probe| probe.guard(it.from, it.guard)).unwrap_or_default();
     Event {
@@ -30,7 +26,6 @@ pub(super) fn switch(tick: u64, key: u8, it: &Switch, probe: Option<&dyn ModelPr
     }
 }
 
-/// Something of the note.
 pub(super) fn note(key: u8, moment: Moment, event: KeyEvent) -> Event {
     match event {
         KeyEvent::Strike { speed, .. } => Event { speed, ..at(Kind::Strike, key, moment) },
@@ -42,10 +37,10 @@ pub(super) fn note(key: u8, moment: Moment, event: KeyEvent) -> Event {
     }
 }
 
-/// What became of the trust in a key's voice since the fault `known`, which is that of `row` then.
+/// Returns the change of trust in a key's voice since the fault `known`, which is updated.
 ///
-/// Of a turn that was late nothing is known: a voice that fails in each turn for which it does not
-/// have to wait fails all the time.
+/// A late turn reports nothing: a voice that fails in each turn for which it does not have to wait
+/// fails all the time.
 pub(super) fn trust(row: &KeyRow, known: &mut Option<VoiceFault>) -> Option<Event> {
     if row.stands.late {
         return None;
@@ -62,12 +57,12 @@ pub(super) fn trust(row: &KeyRow, known: &mut Option<VoiceFault>) -> Option<Even
     }
 }
 
-/// Faults of one kind are one fault.
+/// Groups faults: those of one kind count as one.
 const fn kind(fault: VoiceFault) -> u8 {
     super::block::fault_number(Some(fault))
 }
 
-/// A fault in a sentence, with what to do.
+/// Describes a fault with its remedy in a sentence.
 fn explained(fault: VoiceFault) -> String {
     match fault {
         VoiceFault::NotFinite => {
@@ -96,26 +91,24 @@ fn explained(fault: VoiceFault) -> String {
     }
 }
 
-/// A tick that was not in time.
 pub(super) fn miss(pulse: &PulseRow) -> Option<Event> {
     words(pulse.outcome).map(|text| of_none(Kind::Miss, pulse.tick, text.to_owned()))
 }
 
-/// Voices waited in a tick that had time.
 pub(super) fn starved(tick: u64) -> Event {
     let text = "voices waited although the tick had time, which is an error of the host: report it";
     of_none(Kind::Starved, tick, text.to_owned())
 }
 
-/// A pedal will be moved; every `pass` ticks again, if it repeats.
+/// Announces the move of a pedal; repeated every `pass` ticks, if any.
 pub fn pedal(PedalMove { pedal, at, depth }: PedalMove, pass: Option<u64>) -> Event {
     let (controller, every) = (pedal.controller().number().into(), pass.unwrap_or_default());
     Event { at, speed: depth, controller, every, ..of_none(Kind::Pedal, 0, String::new()) }
 }
 
-/// The move of a pedal that `event` tells of, unless this host knows no such pedal.
+/// Returns the move of a pedal in `event`, unless this host does not know the pedal.
 ///
-/// Recordings that name no controller know the sustain pedal alone.
+/// Recordings without controller numbers contain the sustain pedal only.
 pub fn pedal_move(event: &Event) -> Option<PedalMove> {
     let pedal = match event.controller {
         0 => Pedal::Sustain,
@@ -124,24 +117,20 @@ pub fn pedal_move(event: &Event) -> Option<PedalMove> {
     Some(PedalMove { pedal, at: event.at, depth: event.speed })
 }
 
-/// Ticks that were not run before `tick`.
 pub(super) fn skip(tick: u64, skipped: u64) -> Event {
     of_none(Kind::Skip, tick, format!("{skipped} ticks before this one were not run"))
 }
 
-/// Something became of a board or a line.
 pub(super) fn board(tick: u64, text: String) -> Event {
     of_none(Kind::Board, tick, text)
 }
 
-/// Voices are felt from this tick on, or not any more.
 pub(super) fn armed(row: &TickRow) -> Event {
     let (kind, text) =
         if row.armed { (Kind::Arm, "voices are felt") } else { (Kind::Disarm, "all forces fade") };
     of_none(kind, row.tick, text.to_owned())
 }
 
-/// What is left out from this tick on.
 pub(super) fn overload(row: &TickRow) -> Event {
     let names: Vec<_> = row.simplified.iter().map(Simplification::name).collect();
     let text = if names.is_empty() {

@@ -1,4 +1,4 @@
-//! Lines and boards as a message, and what became of them in sentences.
+//! Lines and boards as a message, and their changes in sentences.
 
 use boards::rt::board::BoardStatistics;
 use boards::rt::link_snapshot::{BoardSnapshot, BoardStatus, LineSnapshot, LinkSnapshot};
@@ -14,30 +14,29 @@ use crate::report::{
 use boards::refusal::{burst_words, restart_words};
 use boards::rt::link_monitor::LinkSample;
 
-/// The state of lines and boards, and the ring from which it is updated.
+/// State of lines and boards, and the ring from which it is updated.
 #[derive(Debug)]
 pub struct LinksWatch {
     seen: Consumer<LinkSample>,
-    /// Time of a tick (s).
+    /// Tick period (s).
     period: f64,
     links: Links,
-    /// Each line as it was seen last, and in which tick.
+    /// Last snapshot of each line, with its tick.
     last: Vec<Option<(u64, LineSnapshot)>>,
 }
 
 impl LinksWatch {
-    /// Returns a watch over `links`, in ticks of `period` (s).
+    /// Watches `links`, in ticks of `period` (s).
     pub fn new(seen: Consumer<LinkSample>, links: Links, period: f64) -> Self {
         let last = vec![None; links.lines.len()];
         Self { seen, period, links, last }
     }
 
-    /// Returns the lines and boards as they were seen last.
     pub const fn links(&self) -> &Links {
         &self.links
     }
 
-    /// Takes what was seen, if anything was; returns a sentence on each that is not as it was.
+    /// Receives new snapshots, if any; returns a sentence on each change.
     pub fn look(&mut self) -> Option<Vec<String>> {
         let mut changes = Vec::new();
         let mut is_news = false;
@@ -75,7 +74,7 @@ impl LinksWatch {
         let BoardStatistics { samples, refused, .. } = it.statistics;
         (board.samples, board.gaps, board.refused) = (samples.frames, samples.gaps, refused);
         let care = it.status?;
-        // What falls between two looks leaves its count only.
+        // A rearming between two polls shows in the count only.
         let is_armed_anew = 0 < board.armings && board.armings < care.armings;
         board.armings = care.armings;
         board.round_trip = care.round_trip_us.map_or(f64::NAN, f64::from);
@@ -96,7 +95,6 @@ impl LinksWatch {
     }
 }
 
-/// Returns how a board and its keys are, in words.
 fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String {
     let keys = &it.statistics.keys;
     let list = |slots: u16, words: fn(&str) -> String| {
@@ -116,7 +114,7 @@ fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String 
     all.chain(muted).collect::<Vec<_>>().join("; ")
 }
 
-/// Returns whether a state is another than before, and not the one with which all is well.
+/// Returns `true` if a state changed to one that is not the normal one.
 fn news(before: &str, now: &str) -> bool {
     let is_well = ["armed", "active"].contains(&now);
     before != now && (!before.is_empty() || !is_well)

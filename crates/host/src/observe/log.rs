@@ -1,4 +1,4 @@
-//! The events of a run, in sentences for the host's log.
+//! Events of a run, as sentences in the host's log.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,26 +9,26 @@ use telemetry::{Event, Links, Topic, Update, Voice};
 
 use super::telemetry_thread::{Attention, MessageSink};
 
-/// Takes a line of the log with its level; it must not wait for a disk or a terminal.
+/// Receiver of log lines with their level; it must not wait for a disk or a terminal.
 pub type LogLine = Box<dyn FnMut(Level, String) + Send>;
 
-/// How news of a board end that renders forces, and news of a link that carries frames.
+/// Suffix of news of a board that renders forces and of a link that carries frames.
 const ARMED: &str = ": armed";
 const ACTIVE: &str = " is active now";
 
-/// Time for which changes of values are put together (ns).
+/// Time for which changes of values are combined (ns).
 const CHANGES: u64 = 2_000_000_000;
 
-/// Writes down boards, clients, changes, faults and lost notes: few lines, however much happens.
+/// Logs boards, clients, changes, faults and lost notes, in a limited number of lines.
 pub struct LogSink {
     line: LogLine,
     limit: RateLimit,
-    /// Keys whose values were changed since then, by whom.
+    /// Keys with changed values since then, by client.
     changed: BTreeMap<String, BTreeSet<u32>>,
-    /// The version of the model that each key played last.
+    /// Version of the last model of each key.
     versions: BTreeMap<u32, u32>,
     since: u64,
-    /// Whether boards are still to be named.
+    /// `true` until the boards are named.
     is_naming: bool,
 }
 
@@ -39,13 +39,12 @@ impl std::fmt::Debug for LogSink {
 }
 
 impl LogSink {
-    /// Hands lines to `line`.
     pub fn new(line: LogLine) -> Self {
         let (limit, changed) = (RateLimit::default(), BTreeMap::new());
         Self { line, limit, changed, versions: BTreeMap::new(), since: 0, is_naming: false }
     }
 
-    /// Returns the same, which names each board once; those that are simulated need it not.
+    /// Names each board once, which simulated ones do not need.
     #[must_use]
     pub fn naming_boards(mut self) -> Self {
         self.is_naming = true;
@@ -58,7 +57,7 @@ impl LogSink {
         }
     }
 
-    /// Notes which version of a model `voice` is of; says whether it is another one than before.
+    /// Records the model version of `voice`; returns `true` if it changed.
     fn is_new_version(&mut self, voice: &Voice) -> bool {
         self.versions.insert(voice.key, voice.version) != Some(voice.version) && 0 < voice.version
     }
@@ -98,7 +97,7 @@ impl LogSink {
         }
     }
 
-    /// Says once how each board begins; from then on there are events.
+    /// Logs the initial state of each board once; later changes arrive as events.
     fn boards(&mut self, links: &Links) {
         for board in &links.boards {
             let line = usize::try_from(board.line).ok().and_then(|it| links.lines.get(it));
@@ -127,7 +126,7 @@ impl MessageSink for LogSink {
     fn take(&mut self, at: u64, update: &Update) {
         match update {
             Update::Log(log) => {
-                // However many clients come and go, what failed is said.
+                // Failures are logged however many clients come and go.
                 let level = log.level();
                 let has_failed = level == Level::Error;
                 let subject = if has_failed { Subject::Failures } else { Subject::Clients };
@@ -162,7 +161,7 @@ impl MessageSink for LogSink {
     }
 
     fn followed_keys(&self) -> u128 {
-        // Changes of mode are no lines.
+        // Changes of mode are not logged.
         0
     }
 
@@ -187,13 +186,12 @@ impl Drop for LogSink {
     }
 }
 
-/// Returns a key's name.
 fn key(number: u32) -> String {
     let key = u8::try_from(number).ok().and_then(KeyIndex::new);
     key.map_or_else(|| format!("key {number}"), |key| key.to_string())
 }
 
-/// The subject of a line; each has a limit of its own.
+/// Subject of a line; each has its own limit.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Subject {
     Clients,
@@ -219,12 +217,12 @@ impl Subject {
     }
 }
 
-/// A span of time in which so many lines on a subject are written (s).
+/// Time span of the limit of lines on a subject (s).
 const SPAN_S: u64 = 10;
 const SPAN: u64 = SPAN_S * 1_000_000_000;
 const LINES: u32 = 10;
 
-/// Counts lines, and those that are held back.
+/// Counts written and held-back lines.
 #[derive(Debug, Default)]
 struct RateLimit(BTreeMap<Subject, LogWindow>);
 
@@ -236,7 +234,7 @@ struct LogWindow {
 }
 
 impl RateLimit {
-    /// Returns whether one more line may be written at `now` (ns).
+    /// Returns `true` if one more line may be written at `now` (ns).
     fn has_room(&mut self, now: u64, subject: Subject) -> bool {
         let fresh = LogWindow { began: now, written: 0, held: 0 };
         let span = self.0.entry(subject).or_insert(fresh);
@@ -249,7 +247,7 @@ impl RateLimit {
         has_room
     }
 
-    /// Takes out how many lines were held back in spans that are over at `now` (ns).
+    /// Takes the numbers of lines held back in spans that are over at `now` (ns).
     fn held_back(&mut self, now: u64) -> Vec<(Subject, u64)> {
         let is_over = |span: &LogWindow| 0 < span.held && span.began.saturating_add(SPAN) <= now;
         let over = self.0.iter().filter(|(_, span)| is_over(span));

@@ -7,8 +7,8 @@
 //! MIDI, control ─channel──────▶┘
 //! ```
 //!
-//! No other thread waits for the telemetry thread; rows that find no room in the rings are
-//! counted, and are not in the messages.
+//! No other thread waits for the telemetry thread. Rows that find no room in the rings are counted
+//! and missing from the messages.
 
 mod block;
 mod catalogue;
@@ -35,13 +35,12 @@ pub use record::{BlackBoxSink, RecordingHandle};
 pub use telemetry_thread::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
 pub use voice::{Origin, instrument_of, voice};
 
-/// Returns a name for recordings of this process: its time and number.
 fn run_id() -> String {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     format!("{}-{}", now.map_or(0, |it| it.as_secs()), std::process::id())
 }
 
-/// Rounds what is shown and not replayed.
+/// Rounds a value that is shown and not replayed.
 #[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
 const fn short(value: f64) -> f32 {
     value as f32

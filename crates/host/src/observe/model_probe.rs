@@ -1,4 +1,4 @@
-//! What a model gives to look at: its names, and its signals at any moment.
+//! Observation of a model: its names, and its signals in any state.
 //!
 //! Off the tick: a snapshot has mode, state and input; guards and outputs follow from them.
 
@@ -10,25 +10,24 @@ use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
 
 use super::short;
 
-/// A model with values, seen from outside.
+/// Outside view of a model with values.
 pub trait ModelProbe: Send {
     /// Appends the signals in the order of [`signals`]: states, guards, outputs. A guard that is
-    /// not watched in the present mode is not a number.
+    /// not watched in the present mode is NaN.
     fn see(&self, look: &ModelSnapshot, signals: &mut Vec<f32>);
 
-    /// The name of a guard that fired in `mode`; none if it is not watched there.
+    /// Returns the name of a guard that fired in `mode`; `None` if it is not watched there.
     fn guard(&self, mode: u8, guard: u8) -> Option<&'static str>;
 
-    /// How it is drawn.
     fn drawing(&self) -> Drawing;
 }
 
-/// A probe for `model` with one value per parameter.
+/// Returns a probe for `model` with one value per parameter.
 pub fn probe(model: &LoadedModel, values: &[f64]) -> Box<dyn ModelProbe> {
     model.visit(Opened(values))
 }
 
-/// Names of what a probe for the model of `entry` sees, in its order.
+/// Returns the names of the signals for the model of `entry`, in the order of a probe.
 pub fn signals(entry: &ModelEntry) -> Vec<Signal> {
     let of = |name: &str, unit: &str, kind: signal::Kind| Signal {
         name: name.to_owned(),
@@ -47,7 +46,6 @@ pub fn signals(entry: &ModelEntry) -> Vec<Signal> {
     states.chain(guards).chain(outputs).collect()
 }
 
-/// Names of the structural modes of the model of `entry`.
 pub fn modes(entry: &ModelEntry) -> Vec<String> {
     entry.modes.iter().map(|mode| mode.name.to_owned()).collect()
 }
@@ -66,14 +64,13 @@ impl Visitor for Opened<'_> {
     }
 }
 
-/// A guard, and the structural modes in which it is watched.
 #[derive(Debug)]
 struct WatchedGuard {
     name: &'static str,
     modes: Vec<u8>,
 }
 
-/// Every guard of a model, in the order in which its modes name them.
+/// Returns every guard of a model, in the order in which its modes name them.
 fn guards(entry: &ModelEntry) -> Vec<WatchedGuard> {
     let mut all: Vec<WatchedGuard> = Vec::new();
     for (number, mode) in (0..).zip(&entry.modes) {
@@ -87,18 +84,18 @@ fn guards(entry: &ModelEntry) -> Vec<WatchedGuard> {
     all
 }
 
-/// Most outputs that are shown; of a model that has more, the others are no numbers.
+/// Maximum number of shown outputs; more are NaN.
 const MOST_OUTPUTS: usize = 128;
 
 struct ProbedModel<M: Playable> {
     model: M,
-    /// A state to write others into.
+    /// State to write others into.
     shape: M::State,
     guards: Vec<WatchedGuard>,
 }
 
 impl<M: Playable> ProbedModel<M> {
-    /// The value of the guard called `name`, where it is watched.
+    /// Returns the value of the guard `name`, where it is watched.
     fn watched(&self, name: &str, mode: M::Mode, state: &M::State, input: &Motion) -> Option<f64> {
         let spec = self.model.guards(mode).iter().find(|spec| spec.name == name)?;
         let is_watched = self.model.is_watched(mode, spec.id);
@@ -143,7 +140,6 @@ impl<M: Playable> ModelProbe for ProbedModel<M> {
     }
 }
 
-/// A drawing as a message.
 #[derive(Default)]
 struct Drawn(Drawing);
 

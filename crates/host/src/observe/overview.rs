@@ -1,4 +1,4 @@
-//! All keys at a glance: ranges since the last look, so that nothing short is lost.
+//! Overview of all keys: ranges since the last one, so that no short event is lost.
 
 use scheduler::motion::KEYS;
 use telemetry::Overview;
@@ -7,10 +7,9 @@ use super::block::{fault_number, flag};
 use super::short;
 use crate::adapters::tick_recorder::KeyRow;
 
-/// One key since the last look.
 #[derive(Clone, Copy, Debug)]
 struct KeyActivity {
-    /// As it is now (m), (N).
+    /// Present values (m), (N).
     now: (f64, f64),
     position: (f64, f64),
     force: (f64, f64),
@@ -29,16 +28,15 @@ impl KeyActivity {
         fault: 0,
     };
 
-    /// Begins anew from where it is.
+    /// Restarts from the present values.
     const fn begin(&mut self) {
         (self.position, self.force) = ((self.now.0, self.now.0), (self.now.1, self.now.1));
-        // Asleep and faulty until told otherwise; the rest happened.
+        // A key stays asleep and faulty until a row changes it; the other flags were events.
         self.flags &= flag::IDLE;
         self.fault = 0;
     }
 }
 
-/// Collects what all keys did since the last overview.
 #[derive(Debug)]
 pub(super) struct OverviewBuilder {
     keys: Box<[KeyActivity]>,
@@ -47,12 +45,10 @@ pub(super) struct OverviewBuilder {
 }
 
 impl OverviewBuilder {
-    /// Returns a builder that has seen no key yet.
     pub(super) fn new() -> Self {
         Self { keys: vec![KeyActivity::NOTHING; KEYS].into(), last: 0, ticks: 0 }
     }
 
-    /// Takes a row with its flags.
     pub(super) fn push(&mut self, row: &KeyRow, flags: u8, mode: u8) {
         let Some(span) = self.keys.get_mut(usize::from(row.key)) else { return };
         let wider = |(low, high): (f64, f64), value: f64| (value.min(low), value.max(high));
@@ -60,18 +56,17 @@ impl OverviewBuilder {
         span.position = wider(span.position, row.sample.position);
         span.force = wider(span.force, row.sent);
         span.mode = mode;
-        // Asleep only if it is at the end.
+        // Asleep only if it is asleep at the end.
         span.flags = (span.flags & !flag::IDLE) | flags;
         span.fault = span.fault.max(fault_number(row.fault));
     }
 
-    /// A tick is over.
     pub(super) const fn tick(&mut self, tick: u64) {
         self.last = tick;
         self.ticks = self.ticks.saturating_add(1);
     }
 
-    /// All of it, if there was a tick; the next one begins.
+    /// Takes the overview, if there was a tick.
     pub(super) fn take(&mut self, dropped: u64) -> Option<Overview> {
         if self.ticks == 0 {
             return None;

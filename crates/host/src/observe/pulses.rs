@@ -1,43 +1,41 @@
-//! When ticks were done: the loop's wait-free end.
+//! Times of ticks: the loop's wait-free end.
 
 use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::deadline::{MissCause, Outcome};
 
 use engine::realtime::run::TickTiming;
 
-/// Ticks that may wait: a second at 1 kHz.
+/// Ticks that may wait: 1 s at 1 kHz.
 const TICKS: usize = 1024;
 
-/// A tick's times.
+/// Times of a tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PulseRow {
     pub tick: u64,
-    /// Woken after it was due (ns).
+    /// Time from due to woken (ns).
     pub lateness: u64,
-    /// Samples in to forces out (ns).
+    /// Time from samples in to forces out (ns).
     pub turnaround: u64,
     /// CPU time (ns).
     pub work: u64,
-    /// Whether it was in time.
     pub outcome: Outcome,
-    /// Evaluations of derivatives and guards.
     pub evaluations: u32,
     /// `true` if voices waited although the tick had time.
     pub is_starved: bool,
 }
 
-/// Takes the times of ticks; what finds no room is left out.
+/// Sender of the times of ticks; those without room in the ring are dropped.
 #[derive(Debug)]
 pub struct Pulses(Producer<PulseRow>);
 
 impl Pulses {
-    /// The loop's end, and the other.
+    /// Returns the loop's end and the receiver.
     pub fn new() -> (Self, Consumer<PulseRow>) {
         let (rows, out) = RingBuffer::new(TICKS);
         (Self(rows), out)
     }
 
-    /// Takes one tick's times.
+    /// Sends one tick's times.
     ///
     /// # Real-time
     /// One push into a ring.
@@ -56,7 +54,7 @@ impl Pulses {
     }
 }
 
-/// An outcome's number in messages.
+/// Returns an outcome's number in messages.
 pub(super) const fn number(outcome: Outcome) -> u8 {
     match outcome {
         Outcome::Met => 0,
@@ -66,7 +64,6 @@ pub(super) const fn number(outcome: Outcome) -> u8 {
     }
 }
 
-/// What is said of a tick that was not in time.
 pub(super) const fn words(outcome: Outcome) -> Option<&'static str> {
     match outcome {
         Outcome::Met => None,

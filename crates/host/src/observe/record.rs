@@ -23,12 +23,10 @@ pub struct RecordingHandle {
 }
 
 impl RecordingHandle {
-    /// Begins to record into `file`, which telemetry is told to do by `sender`.
+    /// Begins to record into `file`, through the telemetry thread behind `sender`. The error is a
+    /// sentence.
     ///
-    /// If the recording ends early, the host's log says why.
-    ///
-    /// # Errors
-    /// Why it cannot, in a sentence.
+    /// If the recording ends early, the host's log contains the reason.
     pub fn begin(
         file: &Path,
         limits: RecordingLimits,
@@ -47,12 +45,10 @@ impl RecordingHandle {
         Ok(it)
     }
 
-    /// Ends the recording with the next messages of telemetry.
     pub fn stop(&self) {
         self.stop.store(true, Ordering::Release);
     }
 
-    /// Returns what became of it so far.
     pub fn report(&self) -> RecordingReport {
         self.report.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -76,7 +72,7 @@ impl RecordSink {
         report.trouble.get_or_insert_with(|| text.clone());
         drop(report);
         let entry = Update::Log(Log { level: log::Level::Error.into(), text });
-        // At the run's end nobody hears it, and the report says it.
+        // At the run's end the log is closed, and the report contains the reason.
         let _gone = self.log.send(TelemetryMessage::Update(Box::new(entry)));
     }
 
@@ -126,22 +122,21 @@ impl Drop for RecordSink {
     }
 }
 
-/// The time that the black box keeps.
+/// Time span of the black box.
 const KEPT: Duration = Duration::from_secs(30);
 
-/// Most memory of the black box (bytes).
+/// Memory limit of the black box (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
-/// Time from a fault until it is written, so that the consequences are in it (ns).
+/// Time from a fault to writing, so that the consequences are included (ns).
 const AFTER: u64 = 2_000_000_000;
 
-/// Boxes that one run writes at most: a fault that comes again is the same.
+/// Maximum number of boxes of one run, since faults repeat.
 const MOST_BOXES: u32 = 5;
 
-/// Boxes of all runs that stay in a folder.
+/// Number of boxes of all runs that stay in a folder.
 const MOST_KEPT: usize = 20;
 
-/// Removes the oldest boxes in `folder` beyond those that stay.
 fn remove_oldest(folder: &Path) -> std::io::Result<()> {
     let entries = std::fs::read_dir(folder)?.filter_map(Result::ok);
     let boxes = entries.filter_map(|entry| {
@@ -156,7 +151,7 @@ fn remove_oldest(folder: &Path) -> std::io::Result<()> {
     boxes.iter().take(surplus).try_for_each(|(_, path)| std::fs::remove_file(path))
 }
 
-/// Keeps the last seconds, and writes them down when a voice fails.
+/// Keeps the last 30 s of messages, and writes them when a voice fails.
 pub struct BlackBoxSink {
     kept: BlackBox,
     folder: PathBuf,
@@ -172,7 +167,7 @@ impl std::fmt::Debug for BlackBoxSink {
 }
 
 impl BlackBoxSink {
-    /// Writes into `folder`, which is made when it is needed, and says so by `say`.
+    /// Writes into `folder`, made when needed, and reports it by `say`.
     pub fn new(folder: PathBuf, say: fn(&str)) -> Self {
         Self { kept: BlackBox::new(KEPT, MOST_BYTES), folder, due: None, written: 0, say }
     }
@@ -199,7 +194,7 @@ impl BlackBoxSink {
 
 impl MessageSink for BlackBoxSink {
     fn take(&mut self, at: u64, update: &Update) {
-        // What is too large for it is left out, and the rest is kept.
+        // A message that is too large is left out, and the rest is kept.
         let _left_out = self.kept.keep(at, update);
         let is_fault = matches!(update, Update::Event(event) if event.kind() == Kind::Fault);
         if is_fault && self.due.is_none() && self.written < MOST_BOXES {

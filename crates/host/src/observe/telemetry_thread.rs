@@ -27,12 +27,10 @@ pub trait MessageSink: Send {
     /// Receives a message of time `at` (ns since 1970).
     fn take(&mut self, at: u64, update: &Update);
 
-    /// Returns `true` if the sink uses messages of `topic`.
     fn wants(&self, topic: Topic) -> bool;
 
-    /// Returns the keys whose models are observed for the sink: bit n is key n.
-    ///
-    /// These are the keys with rows that it wants, or all keys if it wants overviews or events.
+    /// Returns the keys whose models are observed for the sink, bit n for key n: those with rows
+    /// that it wants, or all if it wants overviews or events.
     fn followed_keys(&self) -> u128 {
         let wants_all = [Topic::Overview, Topic::Events].map(|topic| self.wants(topic));
         let keys = (0..=u8::MAX).take(KEYS).filter(|key| {
@@ -71,11 +69,10 @@ pub enum Attention {
 
 /// Messages to telemetry from other threads than the tick's.
 pub enum TelemetryMessage {
-    /// A voice that may be put in from now on, and the probe that reads its model.
+    /// A voice that may be put in from now on, and the probe of its model.
     Voice(Box<Voice>, Option<Box<dyn ModelProbe>>),
     Update(Box<Update>),
     Catalogue(Box<Catalogue>),
-    /// Watch over the links and boards.
     Links(Box<LinksWatch>),
     Sink(Box<dyn MessageSink>),
 }
@@ -98,24 +95,24 @@ pub struct TelemetryThread {
     sinks: Vec<Box<dyn MessageSink>>,
     /// Messages for sinks that are added later: the catalogue and the voice of each key.
     retained: BTreeMap<Option<u32>, Update>,
-    /// Moves of pedals, which are reported before the first tick.
+    /// Moves of pedals, reported before the first tick.
     pedals: Vec<Update>,
     probes: BTreeMap<u32, ProbedVoice>,
     /// Time of tick 0 (ns since 1970).
     began: u64,
-    /// Tick (ns).
+    /// Tick period (ns).
     period: u64,
     keys: Vec<KeyTelemetry>,
     overview: OverviewBuilder,
     ticks: TicksBuilder,
     deadlines: DeadlinesBuilder,
     newest: NewestTick,
-    /// Times at which the last overview and the last sums were made (ns since 1970).
+    /// Times of the last overview and the last sums (ns since 1970).
     overviewed: u64,
     summed: u64,
 }
 
-/// Ends of the rings and channels that other threads fill.
+/// Receiving ends of the rings and channels.
 struct TelemetrySources {
     rings: TickRecorderRings,
     pulses: Consumer<PulseRow>,
@@ -125,7 +122,7 @@ struct TelemetrySources {
     links: Option<Box<LinksWatch>>,
 }
 
-/// State that the newest tick row reported; a change of it is an event.
+/// State in the newest tick row; a change of it is an event.
 struct NewestTick {
     tick: u64,
     /// `true` if the forces of voices were sent.
@@ -135,24 +132,21 @@ struct NewestTick {
     dropped: u64,
 }
 
-/// The key of a voice, and the probe that reads its model.
+/// The key of a voice, and the probe of its model.
 type ProbedVoice = (u32, Box<dyn ModelProbe>);
 
-/// Telemetry of one key between two ticks.
 #[derive(Debug, Default)]
 struct KeyTelemetry {
-    /// Revision of the voice in the last row.
     revision: u32,
     builder: BlockBuilder,
     /// Last row, which holds as long as the key rests.
     last: Option<KeyRow>,
     fault: Option<VoiceFault>,
-    /// Flags of the next row beside its own.
+    /// Extra flags of the next row.
     mark: u8,
 }
 
 impl KeyTelemetry {
-    /// Notes the newest row.
     fn note(&mut self, row: &KeyRow) {
         if row.stands.followed {
             self.revision = row.look.revision;
@@ -161,21 +155,17 @@ impl KeyTelemetry {
     }
 }
 
-/// Voices of a key that may be known at once while it is not followed; a slider makes some in a
-/// tick.
+/// Voices of an unfollowed key that are kept; a slider makes some per tick.
 const MOST_PROBES: usize = 128;
 
-/// Time between two overviews (ns).
+/// Interval of overviews (ns).
 const LOOK: u64 = 33_000_000;
 
-/// Time between two sums (ns).
+/// Interval of sums (ns).
 const SUM: u64 = 1_000_000_000;
 
 impl TelemetryThread {
     /// Returns telemetry of ticks of `period` (ns), on the heap since it is large.
-    ///
-    /// # Errors
-    /// If a histogram cannot be made, which their constants rule out.
     pub fn new(
         rings: TickRecorderRings,
         pulses: Consumer<PulseRow>,
@@ -205,10 +195,10 @@ impl TelemetryThread {
         }))
     }
 
-    /// Ticks count from `began` (ns since 1970).
+    /// Counts ticks from `began` (ns since 1970).
     pub fn begin(&mut self, began: u64, catalogue: Catalogue) {
         self.began = began;
-        // Voices mean nothing to a sink without the catalogue.
+        // Sinks need the catalogue before voices.
         self.catalogue(catalogue);
         self.receive();
         self.follow();
@@ -223,7 +213,6 @@ impl TelemetryThread {
         self.retained.insert(None, catalogue);
     }
 
-    /// Sets the keys that the tick follows.
     fn follow(&self) {
         let sinks = self.sinks.iter().filter(|sink| !(self.is_sparse() && sink.is_thinned()));
         let followed = sinks.fold(0, |keys, sink| keys | sink.followed_keys());
@@ -235,7 +224,6 @@ impl TelemetryThread {
         self.newest.simplified.contains(Simplification::Telemetry)
     }
 
-    /// Handles all rows and messages that wait.
     pub fn pump(&mut self) {
         // Count the rows first: the message about a voice precedes the voice's first row.
         let rows = self.whole_ticks();
@@ -305,7 +293,6 @@ impl TelemetryThread {
         }
     }
 
-    /// Returns the number of waiting rows of complete ticks.
     fn whole_ticks(&mut self) -> usize {
         let rows = &mut self.sources.rings.rows;
         let Ok(chunk) = rows.read_chunk(rows.slots()) else { return 0 };
@@ -315,7 +302,6 @@ impl TelemetryThread {
         last.or_else(|| first.iter().rposition(is_tick)).map_or(0, |place| place + 1)
     }
 
-    /// Handles the messages of other threads.
     fn receive(&mut self) {
         while let Ok(message) = self.sources.messages.try_recv() {
             match message {
@@ -452,7 +438,7 @@ impl TelemetryThread {
         }
     }
 
-    /// Returns the times of `tick`, if they were taken, and skips those of earlier ticks.
+    /// Returns the times of `tick`, if known, and skips those of earlier ticks.
     fn pulse(&mut self, tick: u64) -> Option<PulseRow> {
         loop {
             let pulse = self.sources.early.take().or_else(|| self.sources.pulses.pop().ok())?;
@@ -497,7 +483,6 @@ impl TelemetryThread {
         self.give_at(at, &Update::Block(block));
     }
 
-    /// Sends overviews and sums when they are due.
     fn sum_up(&mut self) {
         let now = self.at(self.newest.tick);
         if LOOK <= now.saturating_sub(self.overviewed) {
@@ -516,7 +501,6 @@ impl TelemetryThread {
         }
     }
 
-    /// Sends the state of links and boards, and their changes.
     fn look_at_links(&mut self) {
         let Some(watch) = &mut self.sources.links else { return };
         let Some(changes) = watch.look() else { return };

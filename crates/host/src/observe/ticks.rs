@@ -1,18 +1,15 @@
-//! When ticks were done, column by column.
-
 use telemetry::Ticks;
 
 use super::pulses::{PulseRow, number};
 use super::short;
 
-/// Collects ticks, and their times where those are known.
 #[derive(Debug, Default)]
 pub(super) struct TicksBuilder {
     ticks: Ticks,
 }
 
 impl TicksBuilder {
-    /// A tick was run; `pulse` are its times, if a clock was looked at.
+    /// Adds a tick, with its times if known.
     pub(super) fn push(&mut self, tick: u64, pulse: Option<&PulseRow>) {
         let it = &mut self.ticks;
         if it.after.is_empty() {
@@ -27,7 +24,6 @@ impl TicksBuilder {
         it.evaluations.push(pulse.evaluations);
     }
 
-    /// The ticks so far, if there are any; the next ones begin.
     pub(super) fn take(&mut self) -> Option<Ticks> {
         (!self.ticks.after.is_empty()).then(|| std::mem::take(&mut self.ticks))
     }

@@ -1,5 +1,3 @@
-//! A voice as a message, with the probe of its model.
-
 use telemetry::Voice;
 
 use super::{TelemetryMessage, probe};
@@ -8,13 +6,12 @@ use scene::{Instrument, KeyVoice};
 /// The origin of a voice.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin<'a> {
-    /// Its number among the voices of the run.
+    /// Number among the voices of the run.
     pub revision: u32,
     /// The instrument of its values; found by its values if it is not known.
     pub instrument: Option<&'a str>,
-    /// The client that asked for it.
     pub writer: &'a str,
-    /// Whether the state of the one before is kept.
+    /// `true` if the state of the one before is kept.
     pub kept: bool,
 }
 

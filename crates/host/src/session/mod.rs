@@ -74,6 +74,7 @@ pub enum SessionError {
     #[error("the performance `{name}` cannot be played: {reason}")]
     Performance {
         name: String,
+        /// Mistake and remedy.
         reason: String,
     },
     /// The MIDI file cannot be written there.
@@ -97,6 +98,7 @@ pub enum SessionError {
          give tick_hz = 1000, 500, 2000 or another that divides 10000"
     )]
     BoardRate {
+        /// Tick rate of the scene (Hz).
         tick_hz: u32,
     },
     #[error("{0}")]
