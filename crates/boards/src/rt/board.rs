@@ -1,5 +1,3 @@
-//! The host's end of one board: its newest samples, and the forces that answer them.
-
 use firmware_protocol::frame::Header;
 use firmware_protocol::frame::key_forces::{self, ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout};
@@ -15,57 +13,50 @@ use super::sample_interval::{IntervalWatch, SampleIntervals};
 use crate::calibration::{self, KeyCalibration};
 use crate::topology::BoardPlace;
 
-/// What the host must know of a board to exchange with it.
+/// Facts about a board that an exchange needs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BoardTerms {
-    /// Where it is, and which keys it carries.
     pub place: BoardPlace,
-    /// How its samples are packed.
     pub samples: SampleLayout,
-    /// How its forces are packed.
     pub forces: ForceLayout,
-    /// How each of its keys reads and pushes.
     pub calibration: PerKey<KeyCalibration>,
     /// Largest force of its motors (mN), which it is never asked to exceed.
     pub max_force_mn: u16,
 }
 
 impl BoardTerms {
-    /// Returns what to ask of the motor of a key for `force` (N), no more than it has.
+    /// Returns the command for the motor of a key for `force` (N), within its limit.
     pub(super) fn millinewtons(&self, calibration: &KeyCalibration, force: f64) -> Millinewtons {
         self.limited(calibration.millinewtons(force))
     }
 
-    /// Returns `force`, but no more than the motors have.
     fn limited(&self, force: Millinewtons) -> Millinewtons {
         let most = i32::from(self.max_force_mn);
         Millinewtons::saturating(i32::from(force.get()).clamp(-most, most))
     }
 
-    /// Tells whether somebody has measured how its keys read.
+    /// Returns `true` if its keys were measured.
     pub fn is_calibrated(&self) -> bool {
         !self.calibration.as_slice().iter().all(KeyCalibration::is_nominal)
     }
 }
 
-/// What one board has sent and was sent.
+/// Statistics of the exchange with one board.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct BoardStatistics {
-    /// Counts over the sequence numbers of its samples.
     pub samples: LossCounts,
-    /// Frames from it that were refused: length, padding or content.
+    /// Rejected frames: length, padding or content.
     pub refused: u64,
-    /// Force frames that the link took.
+    /// Force frames that the link accepted.
     pub sent: u64,
-    /// Force frames that it did not take, or that had no samples to answer.
+    /// Force frames that the link rejected, or without samples to answer.
     pub unsent: u64,
-    /// Its newest frame said that it renders no force.
+    /// `true` if its newest frame reports that it renders no force.
     pub is_safe: bool,
-    /// Readings of keys that were not used, since no key can be there.
+    /// Discarded readings at positions that no key can reach.
     pub implausible: u64,
-    /// What was noticed of its keys.
     pub keys: GuardFindings,
-    /// Time between its samples of late, by its own clock.
+    /// Recent intervals of its samples, by its own clock.
     pub intervals: Option<SampleIntervals>,
 }
 
@@ -75,41 +66,41 @@ pub struct BoardEnd {
     terms: BoardTerms,
     loss: Loss,
     statistics: BoardStatistics,
-    /// The newest samples, which the next forces answer, and the tick in which they came.
+    /// Newest samples, which the next forces answer, and the tick of their arrival.
     newest: Option<(KeySamples, u64)>,
-    /// Which of its readings can be those of keys, and which of the newest were used.
+    /// Plausibility checks of its keys, and the slots with usable newest readings.
     checks: [KeyCheck; MOST_KEYS],
     used: [bool; MOST_KEYS],
-    /// Share of the forces that it is sent, and the largest that it shall be, `0 ..= 1`.
+    /// Share of the forces to send, and its limit, `0 ..= 1`.
     share: f64,
     most_share: f64,
     intervals: IntervalWatch,
-    /// What stands between models and motors, if these are real.
+    /// Guards between models and motors, if the motors are real.
     guards: Option<Box<Guards>>,
 }
 
-/// The guards of all keys of a board, and the rhythm of its forces.
+/// Guards of all keys of a board, and the rhythm of its forces.
 #[derive(Clone, Debug)]
 struct Guards {
     keys: [KeyGuard; MOST_KEYS],
-    /// Time between two exchanges (us).
+    /// Period of the exchange (us).
     period_us: u64,
-    /// When the last forces were sent (us).
+    /// Time of the last forces (us).
     sent_us: Option<u64>,
-    /// Samples have come after a gap, and no force has answered them.
+    /// `true` if samples arrived after a gap and no force has answered them.
     is_resuming: bool,
 }
 
 impl Guards {
-    /// Longest gap between samples that forces are not led over (periods): an estimator bridges one
-    /// or two lost samples.
+    /// Longest gap between samples without blending (periods): an estimator bridges one or two lost
+    /// samples.
     const SAMPLE_GAP: f64 = 3.5;
-    /// The same between forces: none is left out by design.
+    /// Longest gap between forces without blending (periods): none is left out by design.
     const FORCE_GAP: f64 = 1.5;
-    /// Longest time between two forces that counts for what they may change (periods).
+    /// Longest time between two forces that counts for their change (periods).
     const LONGEST: f64 = 4.0;
 
-    /// Returns the time since the last force (s), and whether there was a gap.
+    /// Returns the time since the last force (s), and `true` after a gap.
     fn since(&mut self, now_us: u64) -> (f64, bool) {
         let period = self.period_us as f64;
         let passed = self.sent_us.replace(now_us).map(|it| now_us.saturating_sub(it) as f64);
@@ -120,7 +111,6 @@ impl Guards {
 }
 
 impl BoardEnd {
-    /// Returns an end that has heard nothing.
     pub fn new(terms: BoardTerms) -> Self {
         Self {
             terms,
@@ -142,32 +132,29 @@ impl BoardEnd {
         self.guards = Some(Box::new(Guards { keys, period_us, sent_us: None, is_resuming: false }));
     }
 
-    /// Lets no model have a motor that has not been proven from now on.
+    /// Denies models all unproven motors from now on.
     pub(super) fn demand_proof(&mut self) {
         self.guarded_keys().for_each(KeyGuard::demand_proof);
     }
 
-    /// Plays the key in `slot` no more.
     pub(super) fn mute(&mut self, slot: usize, fault: KeyFault) {
         if let Some(guard) = self.guarded_keys().nth(slot) {
             guard.mute(fault);
         }
     }
 
-    /// Returns the guards of its keys, if they are guarded.
     fn guarded_keys(&mut self) -> impl Iterator<Item = &mut KeyGuard> {
         let n_keys = self.terms.place.n_keys;
         self.guards.iter_mut().flat_map(move |it| it.keys[..n_keys].iter_mut())
     }
 
-    /// Returns whether a proof is under way, and not merely waiting for its key to rest.
+    /// Returns `true` while a motor is being proven, other than waiting for its key to rest.
     pub(super) fn is_proving(&self) -> bool {
         let n_keys = self.terms.place.n_keys;
         let mut keys = self.guards.iter().flat_map(|it| &it.keys[..n_keys]);
         keys.any(|it| it.is_unproven() && !it.waits_for_rest())
     }
 
-    /// Returns what its guards and checks have found.
     fn findings(&self) -> GuardFindings {
         let muted = self.checks.each_ref().map(KeyCheck::muted);
         let mut keys = GuardFindings { muted, ..GuardFindings::default() };
@@ -187,17 +174,15 @@ impl BoardEnd {
         keys
     }
 
-    /// Returns what was agreed with the board.
     pub const fn terms(&self) -> &BoardTerms {
         &self.terms
     }
 
-    /// Tells whether its forces come in frames for all boards.
+    /// Returns `true` if its forces are multicast.
     pub(super) fn takes_multicast(&self) -> bool {
         self.terms.forces.packing == ForcePacking::Multicast16
     }
 
-    /// Returns what it has sent and was sent.
     pub fn statistics(&self) -> BoardStatistics {
         BoardStatistics {
             samples: self.loss.counts(),
@@ -207,42 +192,40 @@ impl BoardEnd {
         }
     }
 
-    /// Returns the newest samples as they came.
     pub fn newest(&self) -> Option<&KeySamples> {
         self.newest.as_ref().map(|(newest, _tick)| newest)
     }
 
-    /// Tells whether samples have come in `tick`.
     pub(super) fn has_news(&self, tick: u64) -> bool {
         self.newest.as_ref().is_some_and(|(_, came)| *came == tick)
     }
 
-    /// Forgets what came, for a board that starts anew; the counts stay.
+    /// Forgets the exchange, for a board that restarts; the counts stay.
     pub fn forget(&mut self) {
         self.loss.forget();
         self.newest = None;
         self.intervals.forget();
     }
 
-    /// Gives the keys that were muted another chance, for a board that was switched on anew.
+    /// Unmutes all keys, for a board that was power-cycled.
     pub fn unmute(&mut self) {
         self.checks = Default::default();
         self.guarded_keys().for_each(KeyGuard::unmute);
     }
 
-    /// Limits the share of the forces that the board is sent to `most`, `0 ..= 1`.
+    /// Limits the share of the forces to send to `most`, `0 ..= 1`.
     pub(super) const fn limit_share(&mut self, most: f64) {
         self.most_share = most;
     }
 
-    /// Moves the share of the forces that the board is sent by `step` at most: to none for one
-    /// that says that it renders none, to its limit for any other.
+    /// Moves the share of the forces to send by at most `step`: to zero for a board that reports
+    /// that it renders none, else to its limit.
     pub(super) fn move_share(&mut self, step: f64) {
         let wanted = if self.statistics.is_safe { 0.0 } else { self.most_share };
         self.share += (wanted - self.share).clamp(-step, step);
     }
 
-    /// Takes a frame of samples; says whether it was newer than all before.
+    /// Decodes a sample frame. Returns `true` if the frame is newer than all earlier ones.
     pub fn hear(&mut self, frame: &[u8], tick: u64) -> bool {
         let Ok(samples) = KeySamples::decode(frame, self.terms.samples) else {
             self.statistics.refused += 1;
@@ -264,18 +247,17 @@ impl BoardEnd {
         news
     }
 
-    /// Returns how long `samples` were taken after the newest before them by the board's clock (s),
-    /// if they are the next.
+    /// Returns the interval from the previous samples by the board's clock (s), if none were lost
+    /// between.
     fn elapsed(&self, samples: &KeySamples, tick: u64) -> Option<f64> {
         let (newest, _tick) = self.newest.as_ref()?;
         let is_next = self.loss.is_next(samples.header.sequence, tick);
         let us = since_us(newest, samples);
-        // A clock that stands still tells nothing.
+        // A clock that stands still is ignored.
         (is_next && 0 < us).then(|| f64::from(us) * 1e-6)
     }
 
-    /// Takes the time by which the newest samples are later than those before (us), and how many
-    /// frames were lost between them.
+    /// Records the interval of the newest samples (us), and the number of frames lost in it.
     fn take_interval(&mut self, interval_us: u16, missing: u64) {
         self.intervals.take(interval_us, missing);
         if let Some(guards) = &mut self.guards {
@@ -284,7 +266,7 @@ impl BoardEnd {
         }
     }
 
-    /// Looks which of the readings can be those of keys.
+    /// Checks the plausibility of all readings.
     fn check(&mut self, samples: &KeySamples, elapsed: Option<f64>) {
         let readings =
             samples.positions.as_slice().iter().zip(self.terms.calibration.as_slice()).enumerate();
@@ -301,8 +283,7 @@ impl BoardEnd {
         }
     }
 
-    /// Writes the newest samples into their keys' places, as if they had just been taken; a place or
-    /// a speed that no key can have is not written.
+    /// Writes the newest plausible samples to their keys, as if they had just been taken.
     pub fn publish(&self, samples: &mut [KeySample; KEYS]) {
         let Some((newest, _tick)) = &self.newest else { return };
         let places = samples[self.terms.place.keys()].iter_mut();
@@ -319,7 +300,7 @@ impl BoardEnd {
         }
     }
 
-    /// Returns what of `forces` (N, up positive) its keys shall get at `now_us`, by slot.
+    /// Returns the forces (N) for its keys at `now_us` by slot, out of `forces` (N, up positive).
     pub(super) fn rendered(&mut self, now_us: u64, forces: &[f64; KEYS]) -> [f64; MOST_KEYS] {
         let mut rendered = [0.0; MOST_KEYS];
         let share = self.share;
@@ -347,8 +328,8 @@ impl BoardEnd {
         rendered
     }
 
-    /// Returns the next force frame and its length, for what `rendered` has for its keys (N);
-    /// nothing if there are no samples to answer.
+    /// Returns the next force frame and its length for the result of `rendered` (N); `None` without
+    /// samples to answer.
     pub fn answer(
         &mut self,
         rendered: &[f64; MOST_KEYS],
@@ -381,15 +362,14 @@ impl BoardEnd {
         Some((bytes, len))
     }
 
-    /// Returns how the force on a key goes on: as `slope` says if it is sent whole, and answers
-    /// where the key really is.
+    /// Returns the slope of a key's force: `slope` at the measured position if the force is sent
+    /// whole.
     fn slope(&self, slot: usize, slope: &KeySlope) -> KeySlope {
         let guard = self.guards.as_ref().and_then(|it| it.keys.get(slot));
         let is_whole = 1.0 <= self.share && guard.is_none_or(KeyGuard::is_whole);
         if self.used[slot] && is_whole { *slope } else { KeySlope::HELD }
     }
 
-    /// Counts a force frame that the link took, or did not take.
     #[expect(clippy::fn_params_excessive_bools, reason = "the one fact that there is")]
     pub const fn count_sent(&mut self, taken: bool) {
         if taken {
@@ -399,7 +379,7 @@ impl BoardEnd {
         }
     }
 
-    /// Returns where a key was when the newest samples were taken, as the board knows it too.
+    /// Returns the quantized state of a key in the newest samples, as the board also knows it.
     fn measured(
         slot: usize,
         newest: &KeySamples,
@@ -414,7 +394,7 @@ impl BoardEnd {
     }
 }
 
-/// Returns the time from one frame of samples to another by their board's clock (us), which wraps.
+/// Returns the time between two frames by their board's clock (us), which wraps.
 const fn since_us(earlier: &KeySamples, later: &KeySamples) -> u16 {
     later.header.stamp_us.wrapping_sub(earlier.header.stamp_us)
 }

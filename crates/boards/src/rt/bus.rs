@@ -2,13 +2,12 @@
 //!
 //! ```text
 //! begin(tick)                       every sample grows older
-//! for each line   receive(link)     frames → what is newer → metres
+//! for each line   receive(link)     frames → newer ones → metres
 //! samples()                         to the voices
 //! for each line   send(link)        newtons → a frame for each board
 //! ```
 //!
-//! Latest wins: what has come since the last tick is read, the newest counts, and nothing
-//! waits for a better time.
+//! Latest wins: all frames since the last tick are read, the newest counts, and no frame waits.
 
 use crate::links::{Health, Link, RecvError};
 use firmware_protocol::MAX_FRAME;
@@ -21,27 +20,26 @@ use super::key_fault::KeyFault;
 use super::multicast::Multicast;
 use crate::plan::{LinkMeter, Medium, MeterWindow};
 
-/// Frames taken from one line in one tick; the rest waits for the next.
+/// Frames to read from one line in one tick; the rest waits for the next.
 const MAX_FRAMES: usize = 128;
 
-/// Age of a sample that was never taken.
+/// Age of a missing sample.
 pub const NEVER: u32 = u32::MAX;
 
-/// Boards that one line can have.
+/// Maximum number of boards on one line.
 const NUMBERS: usize = BoardId::MAX.index() + 1;
 
-/// What a line has carried beside the boards' own counts.
+/// Statistics of a line, beside those of its boards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LineStatistics {
-    /// What came and was no frame.
+    /// Receptions that were no frame.
     pub corrupt: u64,
-    /// Frames of no board that is known here, or of a kind that boards do not send.
+    /// Frames of unknown boards, or of kinds that boards do not send.
     pub foreign: u64,
     /// Receptions that failed because the line was down.
     pub down: u64,
     /// Bytes of frames in both directions.
     pub bytes: u64,
-    /// What the wire itself says.
     pub health: Health,
 }
 
@@ -52,23 +50,23 @@ pub struct KeybedBus {
     samples: [KeySample; KEYS],
     boards: Vec<BoardEnd>,
     lines: Vec<LineEnd>,
-    /// By how much the share of its forces that a board is sent moves in a tick.
+    /// Change of a board's share of the forces per tick.
     share_step: f64,
 }
 
-/// What the host remembers of one line.
+/// The host's state of one line.
 #[derive(Clone, Debug, Default)]
 struct LineEnd {
-    /// Which of all boards has which number on this line.
+    /// Board index by number on this line.
     boards: [Option<usize>; NUMBERS],
     statistics: LineStatistics,
     multicast: Multicast,
-    /// How full it is, if its medium is known.
+    /// Meter of its load, if its medium is known.
     meter: Option<LinkMeter>,
 }
 
 impl LineEnd {
-    /// Counts a frame of `len` bytes that the link took.
+    /// Counts an accepted frame of `len` bytes.
     fn saw_down(&mut self, len: usize) {
         self.statistics.bytes += len as u64;
         if let Some(meter) = &mut self.meter {
@@ -76,8 +74,8 @@ impl LineEnd {
         }
     }
 
-    /// Sends the forces of all keys on `boards` in frames for all; says whether the link took
-    /// everything.
+    /// Sends the forces of all keys on `boards` as multicast; returns `true` if the link accepted
+    /// all frames.
     fn send_to_all(
         &mut self,
         now_us: u64,
@@ -96,7 +94,6 @@ impl LineEnd {
         is_whole
     }
 
-    /// Counts a frame of `len` bytes that came.
     fn saw_up(&mut self, len: usize) {
         self.statistics.bytes += len as u64;
         if let Some(meter) = &mut self.meter {
@@ -105,13 +102,12 @@ impl LineEnd {
     }
 }
 
-/// Takes what is not cyclic: replies and hellos.
+/// Receiver of acyclic frames: replies and hellos.
 pub trait AcyclicHandler {
-    /// Takes a frame that came over `line`.
     fn take(&mut self, line: usize, frame: &[u8]);
 }
 
-/// Drops what is not cyclic.
+/// Drops acyclic frames.
 #[derive(Clone, Copy, Debug)]
 pub struct IgnoreAcyclic;
 
@@ -120,8 +116,8 @@ impl AcyclicHandler for IgnoreAcyclic {
 }
 
 impl KeybedBus {
-    /// Returns a bus that has not heard of any of `boards`: all keys up, samples never taken. Keys
-    /// of no board are up, and their samples do not age.
+    /// Returns a bus without samples of `boards`: all keys up, samples never taken. Keys without
+    /// a board are up, and their samples do not age.
     ///
     /// No two boards on one line may have the same number.
     pub fn new(boards: &[BoardTerms]) -> Self {
@@ -141,61 +137,57 @@ impl KeybedBus {
         }
     }
 
-    /// Lets forces grow over `ticks` when a board renders them again, and fade over as many when
-    /// it does so no longer; without it, at once.
+    /// Fades forces in over `ticks` when a board renders them again, and out when it stops;
+    /// without it, at once.
     pub fn fade_over(&mut self, ticks: u32) {
         self.share_step = 1.0 / f64::from(ticks.max(1));
     }
 
-    /// Guards all keys from now on, in exchanges every `period_us`: readings, forces and motors.
-    ///
-    /// Not for the tick.
+    /// Guards all keys in exchanges every `period_us`: readings, forces and motors. Not for the
+    /// tick.
     pub(crate) fn guard(&mut self, period_us: u64) {
         self.boards.iter_mut().for_each(|board| board.guard(period_us));
     }
 
-    /// Has the motors of all guarded keys proven before a model may use them.
+    /// Demands proofs of the motors of all guarded keys before a model may use them.
     pub(crate) fn demand_proof(&mut self) {
         self.boards.iter_mut().for_each(BoardEnd::demand_proof);
     }
 
-    /// Tells whether the proof of a motor is under way, rather than waiting for its key to rest.
+    /// Returns `true` while a motor is being proven, other than waiting for its key to rest.
     pub(crate) fn is_proving(&self) -> bool {
         self.boards.iter().any(BoardEnd::is_proving)
     }
 
-    /// Plays the key in `slot` of the board with this index no more.
     pub(crate) fn mute(&mut self, board: usize, slot: usize, fault: KeyFault) {
         if let Some(board) = self.boards.get_mut(board) {
             board.mute(slot, fault);
         }
     }
 
-    /// Limits the share of the forces that the board with this index is sent to `most`, `0 ..= 1`.
+    /// Limits the share of the forces for this board to `most`, `0 ..= 1`.
     pub fn limit_share(&mut self, board: usize, most: f64) {
         if let Some(board) = self.boards.get_mut(board) {
             board.limit_share(most);
         }
     }
 
-    /// Meters `line` from now on, which is made of `medium`.
     pub fn meter(&mut self, line: usize, medium: Medium) {
         if let Some(line) = self.lines.get_mut(line) {
             line.meter = Some(LinkMeter::new(medium));
         }
     }
 
-    /// Returns how many lines there are.
     pub const fn n_lines(&self) -> usize {
         self.lines.len()
     }
 
-    /// Returns all boards, in the order in which they were given.
+    /// Returns all boards in order of their index.
     pub fn boards(&self) -> &[BoardEnd] {
         &self.boards
     }
 
-    /// Starts `tick`: every sample is older by the ticks that have passed.
+    /// Starts `tick`: ages every sample by the ticks that have passed.
     ///
     /// # Real-time
     /// One addition for each key.
@@ -211,7 +203,7 @@ impl KeybedBus {
         }
     }
 
-    /// Takes what has come over `line`, and hands on what is not cyclic.
+    /// Reads the frames of `line`, and hands the acyclic ones on.
     ///
     /// # Real-time
     /// At most 128 receptions of 64 bytes for each board; no heap.
@@ -239,32 +231,30 @@ impl KeybedBus {
         self.lines[line].statistics.health = link.health();
     }
 
-    /// Tells whether samples of the board with this index have come in this tick.
+    /// Returns `true` if samples of this board have arrived in this tick.
     pub fn has_news(&self, board: usize) -> bool {
         let tick = self.tick.unwrap_or_default();
         self.boards.get(board).is_some_and(|it| it.has_news(tick))
     }
 
-    /// Says how long before this tick the newest samples of a board were taken (ticks), as in
-    /// [`KeySample::taken`].
+    /// Sets the age of a board's newest samples at this tick (ticks), as in [`KeySample::taken`].
     pub fn date(&mut self, board: usize, taken: f64) {
         let Some(end) = self.boards.get(board) else { return };
         let samples = self.samples[end.terms().place.keys()].iter_mut();
-        // Those that are older were not used this time.
+        // Older samples were not used this time.
         for sample in samples.filter(|it| it.age == 0) {
             sample.taken = taken;
         }
     }
 
-    /// Returns the newest sample of every key.
     pub const fn samples(&self) -> &[KeySample; KEYS] {
         &self.samples
     }
 
     /// Sends the boards on `line` their shares of the forces (N, up positive) at `now_us`.
     ///
-    /// A board that was never heard is sent nothing, unless it takes what is for all: there is
-    /// nothing to answer. One that renders no force, or shall not, is sent none.
+    /// A board without samples gets none, except by multicast, since there is nothing to answer.
+    /// A board that renders no force, or shall not, gets none.
     ///
     /// # Real-time
     /// One frame for each board, or four for a line with multicast; no heap.
@@ -299,7 +289,7 @@ impl KeybedBus {
         }
         for index in of_line() {
             let board = &mut self.boards[index];
-            // A link that does not take it has lost this frame; the next makes it worthless.
+            // A frame that the link rejects is lost; the next one makes it worthless.
             let rendered = board.rendered(now_us, forces);
             let sent = board.answer(&rendered, slopes);
             let sent = sent.filter(|(frame, len)| link.try_send(&frame[..*len]).is_ok());
@@ -320,47 +310,42 @@ impl KeybedBus {
         }
     }
 
-    /// Returns how full `line` was in the `seconds` since it is metered; none if its medium is not
-    /// known.
+    /// Returns the load of `line` over the metered `seconds`; `None` if its medium is unknown.
     pub fn load(&self, line: usize, seconds: f64) -> Option<MeterWindow> {
         Some(self.lines.get(line)?.meter.as_ref()?.seen(seconds))
     }
 
-    /// Returns what `line` has carried since it is metered, if its medium is known.
+    /// Returns the meter of `line`, if its medium is known.
     pub fn line_meter(&self, line: usize) -> Option<LinkMeter> {
         self.lines.get(line)?.meter
     }
 
-    /// Forgets what came from the board with this index, which starts anew.
+    /// Forgets the exchange with this board, which restarts.
     pub fn forget(&mut self, board: usize) {
         if let Some(board) = self.boards.get_mut(board) {
             board.forget();
         }
     }
 
-    /// Gives the muted keys of the board with this index another chance.
     pub fn unmute(&mut self, board: usize) {
         if let Some(board) = self.boards.get_mut(board) {
             board.unmute();
         }
     }
 
-    /// Returns what the board with this index has sent and was sent.
     pub fn statistics(&self, board: usize) -> BoardStatistics {
         self.boards.get(board).map_or_else(BoardStatistics::default, BoardEnd::statistics)
     }
 
-    /// Returns what `line` has carried beside.
     pub fn line(&self, line: usize) -> LineStatistics {
         self.lines.get(line).map_or_else(LineStatistics::default, |it| it.statistics)
     }
 
-    /// Returns whose frame this is, among all boards.
+    /// Returns the index of the sender of `frame`.
     pub fn board_on(&self, line: usize, frame: &[u8]) -> Option<usize> {
         self.lines.get(line)?.boards.get(board_of(frame)?.index()).copied().flatten()
     }
 
-    /// Takes a frame that came over `line`.
     fn read(&mut self, line: usize, frame: &[u8], acyclic: &mut impl AcyclicHandler) {
         self.lines[line].saw_up(frame.len());
         match (FrameKind::of(frame), self.board_on(line, frame)) {

@@ -1,35 +1,33 @@
-//! Why a key is not played any more.
-
 use firmware_protocol::acyclic::health::key_fault;
 use firmware_protocol::key::MOST_KEYS;
 
-/// What is wrong with a key, its sensor or its motor.
+/// Fault of a key, its sensor or its motor.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum KeyFault {
-    /// Its readings lie far above its rest or below its bottom.
+    /// Its readings are far above its rest or below its bottom.
     Beyond,
     /// Its readings jump farther than a key can move.
     Jumping,
-    /// They go to and fro faster than motor and finger can move it.
+    /// Its readings oscillate faster than motor and finger can move it.
     Noisy,
-    /// The speeds that its board reports are not those with which it moves.
+    /// The speeds from its board differ from its motion.
     FalseSpeed,
-    /// Its readings continue beside where they were, as if counts were lost.
+    /// Its readings continue with an offset, as if counts were lost.
     Slipped,
-    /// It moves up when its motor pushes it down, or down when it pushes it up.
+    /// It moves against the force of its motor.
     Reversed,
     /// No force of the proof moved it.
     Unmoved,
-    /// It moves as if its motor did not follow its forces.
+    /// It moves as if its motor ignored the forces.
     Unresponsive,
-    /// Its force went to and fro after it had been halved for that.
+    /// Its force oscillated again after it had been halved for that.
     Shaking,
-    /// Its board reports this, one of [`firmware_protocol::acyclic::health::key_fault`].
+    /// Report of its board, one of [`firmware_protocol::acyclic::health::key_fault`].
     Reported(u8),
 }
 
 impl KeyFault {
-    /// Returns what is wrong, in words that follow on the key's name and a colon.
+    /// Describes the fault in words that follow the key's name and a colon.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Beyond => "its readings lie far beyond its rest and its bottom",
@@ -48,7 +46,6 @@ impl KeyFault {
         }
     }
 
-    /// Returns what to do about it.
     pub const fn remedy(self) -> &'static str {
         match self {
             Self::Beyond | Self::Jumping | Self::FalseSpeed | Self::Noisy => "see to its sensor",
@@ -71,21 +68,21 @@ impl KeyFault {
     }
 }
 
-/// What was noticed of the keys of a board, by slot.
+/// Findings about the keys of a board, by slot.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct GuardFindings {
-    /// What each key was muted for.
+    /// Fault of each muted key.
     pub muted: [Option<KeyFault>; MOST_KEYS],
     /// Keys whose force was halved because they shook, slot 0 in bit 0.
     pub softened: u16,
-    /// Keys whose motor has not been proven yet, since they never came to rest.
+    /// Keys whose motor is not proven yet because they never came to rest.
     pub unproven: u16,
     /// Keys that stand still away from rest and bottom.
     pub misplaced: u16,
-    /// Readings that left the trend and returned; they were not used.
+    /// Discarded readings that left the trend and returned.
     pub glitches: u64,
-    /// Ticks in which a force was not allowed to rise as fast as it should.
+    /// Ticks in which the rise of a force was limited.
     pub limited: u64,
-    /// Forces that were led over from those before a gap.
+    /// Forces that were blended over from those before a gap.
     pub blended: u64,
 }

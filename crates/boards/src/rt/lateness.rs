@@ -1,29 +1,28 @@
-//! How much later than usual a board's samples are.
+//! Lateness of a board's samples against their usual delay.
 //!
-//! A way that always takes as long delays the key and does no harm else; one that takes now
-//! longer and now shorter makes speeds that no key had, unless it is known.
+//! A constant delay only delays the key. A varying one causes false speeds unless it is known.
 
-/// Samples over which what is usual is averaged.
+/// Samples over which the usual delay is averaged.
 const MEMORY: f64 = 512.0;
 
-/// By how much a sample may be earlier than usual (periods); the boards' clocks and the host's
-/// ticks slide past each other by less than one.
+/// Largest earliness of a sample (periods); the boards' clocks and the host's ticks slide past each
+/// other by less than one.
 const MOST_EARLY: f64 = 1.5;
 
-/// What the samples of one board usually take.
+/// Usual delay of the samples of one board.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Lateness {
-    /// Mean age of those that had just come (us).
+    /// Mean age of samples on arrival (us).
     usual_us: f64,
-    /// How many that were; no more than [`MEMORY`].
+    /// Number of averaged samples, up to [`MEMORY`].
     n: f64,
 }
 
 impl Lateness {
-    /// Learns from a sample that has just come and is `age_us` old; samples are `period_us` apart.
+    /// Learns from a new sample that is `age_us` old; samples are `period_us` apart.
     ///
-    /// Nothing can be much faster than usual: if a sample is, what seemed usual was a clock that
-    /// was read wrong, and is forgotten.
+    /// No sample can be much faster than usual. If one is, the usual delay came from a clock that
+    /// was misread, and is forgotten.
     pub fn learn(&mut self, age_us: i32, period_us: u64) {
         if self.of(age_us) < -MOST_EARLY * period_us as f64 {
             *self = Self::default();
@@ -32,14 +31,14 @@ impl Lateness {
         self.usual_us += (f64::from(age_us) - self.usual_us) / self.n;
     }
 
-    /// Returns how old samples usually are when they come (us), once there were enough of them.
+    /// Returns the usual age of samples on arrival (us), once there were enough.
     pub fn usual_us(&self) -> Option<f64> {
-        /// Samples from which on a mean is believed.
+        /// Minimum samples for a valid mean.
         const ENOUGH: f64 = 200.0;
         (ENOUGH <= self.n).then_some(self.usual_us)
     }
 
-    /// Returns by how much a sample of `age_us` is older than usual (us); 0 as long as nothing is.
+    /// Returns the excess of `age_us` over the usual age (us); 0 until that is known.
     pub fn of(&self, age_us: i32) -> f64 {
         if self.n == 0.0 { 0.0 } else { f64::from(age_us) - self.usual_us }
     }

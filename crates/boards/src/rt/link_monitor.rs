@@ -1,36 +1,35 @@
-//! What a run tells of its lines and boards while it goes on: a snapshot of one of them in a tick,
-//! of all of them once a second, so that no tick costs more than another.
+//! Snapshots of lines and boards during a run: one of them in a tick, all of them once a second, so
+//! that all ticks cost the same.
 
 use rtrb::{Consumer, Producer, RingBuffer};
 
 use super::link_snapshot::LinkSnapshot;
 
-/// A snapshot, and the tick in which it was taken.
+/// A tick and the snapshot that was taken in it.
 pub type LinkSample = (u64, LinkSnapshot);
 
-/// Snapshots that may wait: of 16 lines with 16 boards each, more than there are.
+/// Snapshots that may wait: more than 16 lines with 16 boards each.
 const ROOM: usize = 272;
 
-/// The tick's end of a ring of snapshots; one that finds no room is dropped, since newer will come.
+/// The tick's end of a ring of snapshots; those without room are dropped, since newer ones follow.
 #[derive(Debug)]
 pub(crate) struct LinkMonitor {
     samples: Producer<LinkSample>,
-    /// The line or board that is next, lines first.
+    /// Index of the next line or board, lines first.
     place: usize,
-    /// The tick from which on it is looked at.
+    /// Tick from which it is due.
     due: u64,
     /// Ticks between two rounds.
     every: u64,
 }
 
 impl LinkMonitor {
-    /// Returns a monitor for ticks at `tick_hz` (1/s), and the other end of its ring.
     pub(crate) fn new(tick_hz: u32) -> (Self, Consumer<LinkSample>) {
         let (samples, seen) = RingBuffer::new(ROOM);
         (Self { samples, place: 0, due: 0, every: tick_hz.into() }, seen)
     }
 
-    /// Takes a snapshot of the next line or board of which `snapshot` knows, if one is due.
+    /// Takes a snapshot of the next line or board, if one is due.
     ///
     /// # Real-time
     /// One call of `snapshot`.

@@ -1,9 +1,9 @@
-//! What the sequence numbers of one sender tell: what is new, what never came.
+//! Evaluates the sequence numbers of one sender: new and missing frames.
 
 use firmware_protocol::sequence::{FrameOrder, SequenceNumber};
 
-/// Ticks of silence after which any number is news: well inside the half circle in which
-/// numbers can be ordered, even if two frames come in one tick.
+/// Ticks of silence after which any number is new: well inside the half circle in which numbers
+/// can be ordered, even if two frames arrive per tick.
 const FORGET_TICKS: u64 = 60;
 
 /// The newest frame of one sender, and counts of all others.
@@ -18,18 +18,17 @@ pub struct Loss {
 pub struct LossCounts {
     /// Frames that were newer than all before.
     pub frames: u64,
-    /// Times that the numbers jumped.
+    /// Jumps of the numbers.
     pub gaps: u64,
-    /// Frames that those jumps passed over.
+    /// Frames that those jumps skipped.
     pub missing: u64,
-    /// Frames that came again.
     pub repeated: u64,
-    /// Frames that came after newer ones.
+    /// Frames that arrived after newer ones.
     pub overtaken: u64,
 }
 
 impl Loss {
-    /// Counts a frame that came in `tick`; says whether it is newer than all before.
+    /// Counts a frame that arrived in `tick`. Returns `true` if it is newer than all before.
     ///
     /// # Real-time
     /// A few comparisons.
@@ -57,18 +56,17 @@ impl Loss {
         news
     }
 
-    /// Tells whether a frame that comes in `tick` follows on the newest.
+    /// Returns `true` if a frame in `tick` would directly follow the newest.
     pub fn is_next(&self, sequence: SequenceNumber, tick: u64) -> bool {
         let arrival = self.remembered(tick).map(|newest| sequence.after(newest));
         matches!(arrival, Some(FrameOrder::Newer { missing: 0 }))
     }
 
-    /// Returns the counts so far.
     pub const fn counts(&self) -> LossCounts {
         self.counts
     }
 
-    /// Forgets what came, for a sender that starts anew; the counts stay.
+    /// Forgets the newest frame, for a sender that restarts; the counts stay.
     pub const fn forget(&mut self) {
         self.newest = None;
     }

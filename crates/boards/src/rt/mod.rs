@@ -1,4 +1,4 @@
-//! What a tick may call: exchanges with the boards, and what was lost on the way.
+//! Exchange with the boards in a tick, and its losses.
 //!
 //! No heap, no lock, no clock; the only system calls are those of the links.
 

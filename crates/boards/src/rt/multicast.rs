@@ -11,7 +11,7 @@ use super::board::BoardTerms;
 use crate::clock::low;
 use crate::periods::SYNC_US;
 
-/// What a line with multicast remembers.
+/// State of a line with multicast.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Multicast {
     sequences: [SequenceNumber; GROUPS],
@@ -22,7 +22,7 @@ pub(super) struct Multicast {
 type Frames = [Option<([u8; MAX_FRAME], usize)>; 1 + GROUPS];
 
 impl Multicast {
-    /// Returns the frames with the forces of all keys on `boards`, worked out at `now_us`.
+    /// Returns the frames with the forces of all keys on `boards`, computed at `now_us`.
     pub(super) fn frames(
         &mut self,
         now_us: u64,
@@ -54,7 +54,6 @@ impl Multicast {
     }
 }
 
-/// Returns a frame that says what time it is.
 fn bus_time(now_us: u64) -> ([u8; MAX_FRAME], usize) {
     let mut short = [0; broadcast::MAX_LEN];
     let len = Broadcast::BusTime { host_us: low(now_us) }.encode(&mut short);

@@ -1,18 +1,18 @@
-//! Whether a key's readings can be those of a key: a sensor that fails must not strike a hammer.
+//! Plausibility of a key's readings: a faulty sensor must not strike a hammer.
 //!
-//! One reading that cannot be is not used, as if its sample had been lost. Of a key that has had
-//! several of them none is used until it has read well for a while, and one that goes on so is
-//! muted until its board starts anew. A reading that stands still is no fault: keys rest.
+//! An implausible reading is discarded like a lost sample. After several of them, all readings of
+//! the key are discarded until it has read well for a while; if they continue, the key is muted
+//! until its board restarts. A reading that stands still is no fault, since keys rest.
 //!
-//! | what is looked at | what can be | why |
+//! | quantity | plausible range | reason |
 //! |---|---|---|
-//! | place | from half a travel, or 4 mm, above the rest to as much below the bottom | the hardest stroke of the simulated finger presses the felt by 3 mm |
+//! | position | from half a travel, or 4 mm, above the rest to as much below the bottom | the hardest stroke of the simulated finger presses the felt by 3 mm |
 //! | speed | up to 5 m/s | hammers are struck at up to 6.8 m/s, five times as fast as keys (piano-facts) |
-//! | speed that the board says | over a twentieth of a second it adds up to the way, but for half a travel or 4 mm | a filter that is late by 1 ms is wrong by less |
+//! | speed reported by the board | its sum over 1/20 s is the path, within half a travel or 4 mm | a filter that is late by 1 ms is wrong by less |
 //! | fourth difference | as of accelerations of 140 m/s² that change their sign in every sample | a motor of 30 N can hardly do more to a key, and no finger can |
 //!
-//! Hard strokes pass the last for some samples each, so it counts only what is so in more than a
-//! fifth of the time; they add up to a third of what makes a key doubtful.
+//! Hard strokes exceed the last range for some samples each, so it counts only if exceeded in more
+//! than a fifth of the time; they add up to a third of the charge that makes a key doubtful.
 
 use super::key_fault::KeyFault;
 use crate::calibration::KeyCalibration;
@@ -20,60 +20,59 @@ use crate::calibration::KeyCalibration;
 /// Largest speed of a key (m/s).
 pub(super) const FASTEST: f64 = 5.0;
 
-/// Acceleration to and fro, from sample to sample, that a key can have (m/s²).
+/// Largest acceleration of a key that alternates from sample to sample (m/s²).
 const MOST_TO_AND_FRO: f64 = 140.0;
 
-/// Least room beyond rest and bottom (m).
+/// Minimum room beyond rest and bottom (m).
 const LEAST_ROOM: f64 = 4e-3;
 
-/// What implausible readings may add up to before their key is muted (s).
+/// Charge of implausible readings that mutes their key (s).
 const PATIENCE: f64 = 0.128;
 
-/// The same before its readings are not used any more (s).
+/// Charge from which readings of the key are discarded (s).
 const DOUBT: f64 = 0.032;
 
-/// How much faster readings that cannot be add up than others take away.
+/// Charging rate of impossible readings, relative to the discharge by good ones.
 const IMPOSSIBLE: f64 = 16.0;
 
-/// The same of readings that are merely strange.
+/// Charging rate of strange readings, relative to the discharge by good ones.
 const STRANGE: f64 = 4.0;
 
-/// Time over which speeds are added up (s).
+/// Time over which speeds are summed (s).
 const SPEED_MEMORY: f64 = 0.05;
 
-/// What speeds and way may differ by for a key that rests (m).
+/// Difference of summed speeds and path for a key that rests (m).
 const SPEED_ROUNDING: f64 = 1e-6;
 
-/// Samples of which a fourth difference is made.
+/// Samples for a fourth difference.
 const PLACES: usize = 5;
 
-/// The readings of one key.
+/// Plausibility check of one key.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct KeyCheck {
-    /// The newest places (m), the newest last, and how many there are.
+    /// Newest positions (m), the newest last, and their number.
     places: [f64; PLACES],
     n: usize,
-    /// Time since the newest of them (s).
+    /// Time since the newest position (s).
     since: f64,
-    /// What implausible readings have added up to (s).
+    /// Charge of implausible readings (s).
     charge: f64,
-    /// What the speeds have added up to lately, less the way (m).
+    /// Recent sum of the speeds minus the path (m).
     speed_error: f64,
     muted: Option<KeyFault>,
 }
 
 impl KeyCheck {
-    /// Returns what the key was muted for, if it was.
     pub const fn muted(&self) -> Option<KeyFault> {
         self.muted
     }
 
-    /// Forgets where the key was, for readings that do not follow on those before.
+    /// Forgets the positions, for readings that do not follow the earlier ones.
     pub const fn forget(&mut self) {
         self.n = 0;
     }
 
-    /// Takes the speed (m/s) that comes with the next reading, at `position` (m).
+    /// Adds the speed (m/s) of the next reading, at `position` (m).
     ///
     /// # Real-time
     /// Five operations.
@@ -88,8 +87,8 @@ impl KeyCheck {
         };
     }
 
-    /// Takes a reading at `position` (m), `elapsed` (s) after the one before if it follows on
-    /// that; says whether it may be used.
+    /// Checks a reading at `position` (m), `elapsed` (s) after the one before if it follows that.
+    /// Returns `true` if it may be used.
     ///
     /// # Real-time
     /// Some twenty additions; five comparisons for a key that rests.
@@ -102,7 +101,7 @@ impl KeyCheck {
         if self.muted.is_some() {
             return false;
         }
-        // Nothing of what is looked at has changed.
+        // All checked quantities are unchanged.
         if elapsed.is_some() && self.has_rested_at(position) {
             return true;
         }
@@ -116,13 +115,13 @@ impl KeyCheck {
             Some(KeyFault::Noisy) => (STRANGE, true),
             Some(_impossible) => (IMPOSSIBLE, false),
         };
-        // A reading that follows on nothing counts as a millisecond.
+        // A reading that follows none counts as 1 ms.
         self.charge = (self.charge + weight * elapsed.unwrap_or(1e-3)).max(0.0);
         if PATIENCE <= self.charge {
             self.muted = wrong;
         }
         if matches!(wrong, Some(KeyFault::Beyond | KeyFault::Jumping)) {
-            // What is left of the row has a hole.
+            // The remaining row has a hole.
             (self.n, self.speed_error) = (self.n.min(1), 0.0);
         } else {
             self.remember(position);
@@ -130,7 +129,7 @@ impl KeyCheck {
         is_possible && self.charge < DOUBT
     }
 
-    /// Returns what is wrong with a reading at `position` (m), if anything is.
+    /// Returns the fault of a reading at `position` (m), if any.
     fn wrong(
         &self,
         position: f64,
@@ -153,12 +152,12 @@ impl KeyCheck {
         let elapsed = elapsed.filter(|_| PLACES <= self.n + 1)?;
         let [_, a, b, c] = older;
         let fourth = a - 4.0 * b + 6.0 * c - 4.0 * newest + position;
-        // Each of them is rounded.
+        // Each position is rounded.
         let most = 4.0 * MOST_TO_AND_FRO * elapsed * elapsed + 8.0 * quantum;
         (most < fourth.abs()).then_some(KeyFault::Noisy)
     }
 
-    /// Tells whether the key has stood at `position` (m) for all places, beyond any doubt.
+    /// Returns `true` if all stored positions equal `position` (m) and no charge is left.
     fn has_rested_at(&self, position: f64) -> bool {
         let is_here = |place: &f64| place.to_bits() == position.to_bits();
         self.charge <= 0.0

@@ -1,9 +1,6 @@
-//! The last round trips to one board, for its statistics.
-
-/// Round trips that are remembered.
 const WINDOW: usize = 256;
 
-/// Round trips of which a median is taken while a run goes on.
+/// Round trips for the median during a run.
 const RECENT: usize = 15;
 
 /// The last 256 round trips (us).
@@ -20,13 +17,12 @@ impl Default for RoundTripHistory {
 }
 
 impl RoundTripHistory {
-    /// Remembers the length of a round trip (us).
     pub(super) fn push(&mut self, length: u64) {
         self.lengths[self.n % WINDOW] = u32::try_from(length).unwrap_or(u32::MAX);
         self.n += 1;
     }
 
-    /// Returns the median of the latest (us), cheap enough for a tick; none if there is none.
+    /// Returns the median of the latest (us), cheap enough for a tick; `None` without any.
     pub(super) fn recent(&self) -> Option<u32> {
         let n = self.n.min(RECENT);
         let mut latest = [0; RECENT];
@@ -38,7 +34,7 @@ impl RoundTripHistory {
         latest.get(n / 2).copied()
     }
 
-    /// Returns the median, 99th hundredth and longest (us); none if there is none.
+    /// Returns median, 99th percentile and longest (us); `None` without any.
     pub(super) fn quantiles(&self) -> Option<[u32; 3]> {
         let n = self.n.min(WINDOW);
         let mut sorted = self.lengths;

@@ -1,42 +1,41 @@
-//! How often a board's samples really come, by its own clock.
+//! Actual intervals of a board's samples, by its own clock.
 //!
-//! A frame that was lost makes a longer interval and a gap in the numbers; a board that sends fewer
-//! frames than it confirmed leaves no gap. What the host itself does late counts in neither, since
-//! the stamps are the board's.
+//! A lost frame makes a longer interval and a gap in the numbers; a board that sends fewer frames
+//! than it confirmed leaves no gap. Lateness of the host affects neither, since the stamps are the
+//! board's.
 
-/// Intervals that are looked at together.
+/// Number of evaluated intervals.
 const N: usize = 32;
 
-/// Samples between two looks.
+/// Samples between two evaluations.
 const LOOK: u32 = 8;
 
-/// Part of the agreed interval by which the median may be longer.
+/// Largest ratio of the median to the agreed interval.
 const MOST_MEDIAN: f64 = 1.25;
 
-/// Times the agreed interval that nine of ten intervals must stay below.
+/// Largest ratio of the 90th percentile to the agreed interval.
 const MOST_P90: f64 = 2.5;
 
-/// What the intervals of late were.
+/// Statistics of recent intervals.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SampleIntervals {
-    /// Half of them were longer (us).
+    /// Median (us).
     pub median_us: u16,
-    /// A tenth of them were longer (us).
+    /// 90th percentile (us).
     pub p90_us: u16,
-    /// The median of those between frames of which none was lost (us).
+    /// Median between frames without losses (us).
     pub sent_us: u16,
 }
 
-/// What is wrong with a board's intervals.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum IntervalFault {
-    /// Some or most are long since frames are lost: the board is played more softly.
+    /// Many are long because frames are lost: the board is played more softly.
     Uneven,
-    /// It sends fewer than agreed: no model is stable so.
+    /// It sends fewer samples than agreed: no model is stable so.
     Slow,
 }
 
-/// The newest intervals between the samples of one board.
+/// Newest intervals of the samples of one board.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct IntervalWatch {
     intervals_us: [u16; N],
@@ -54,8 +53,7 @@ impl Default for IntervalWatch {
 }
 
 impl IntervalWatch {
-    /// Takes the time between two samples by the board's clock (us), and how many frames were lost
-    /// between them.
+    /// Adds the interval of two samples by the board's clock (us), with `missing` frames between.
     ///
     /// # Real-time
     /// Sorts twice 32 numbers for every eighth sample.
@@ -76,18 +74,17 @@ impl IntervalWatch {
         }
     }
 
-    /// Forgets what came, for a board that starts again.
     pub(super) fn forget(&mut self) {
         *self = Self::default();
     }
 
-    /// Returns what the intervals are, once enough samples have come.
+    /// Returns the statistics, once enough samples have arrived.
     pub(super) const fn newest(&self) -> Option<SampleIntervals> {
         self.newest
     }
 }
 
-/// Puts the newest interval first, and counts those that there are.
+/// Puts the newest interval first, and counts the intervals.
 fn push(intervals_us: &mut [u16; N], n: &mut usize, newest_us: u16) {
     intervals_us.rotate_right(1);
     intervals_us[0] = newest_us;
@@ -95,7 +92,7 @@ fn push(intervals_us: &mut [u16; N], n: &mut usize, newest_us: u16) {
 }
 
 impl SampleIntervals {
-    /// Returns what is wrong with these intervals where `agreed_us` was agreed.
+    /// Returns the fault of these intervals against the agreed `agreed_us`, if any.
     pub(super) fn fault(self, agreed_us: u16) -> Option<IntervalFault> {
         let times = |us: u16| f64::from(us) / f64::from(agreed_us.max(1));
         if MOST_MEDIAN < times(self.sent_us) {

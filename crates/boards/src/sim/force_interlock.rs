@@ -1,4 +1,4 @@
-//! Whether a board may render forces: armed, safe, and what has expired.
+//! Interlock of a board's forces: armed, safe, expired.
 //!
 //! ```text
 //! Safe ── disarm (gives a nonce) ──▶ Disarmed ── arm (takes it) ──▶ Armed
@@ -7,62 +7,54 @@
 //!  └──────────────── or stopped, or a key failed ◀────────────────────┘
 //! ```
 //!
-//! Forces expire from the first on that is taken after an arming: an armed board that was given
-//! none renders none, so nothing can be stale.
+//! Forces expire only from the first one after an arming: an armed board without forces renders
+//! none, so none can be stale.
 //!
-//! A board that was stopped, or whose key failed, is safe for good: that takes the place of any
-//! lesser reason, and no request undoes it. Only its power does.
-//!
-//! Times are the board's own (us).
+//! A board that was stopped, or has a failed key, is safe for good: that replaces any lesser
+//! reason, and only a power cycle clears it. Times are the board's own (us).
 
 use firmware_protocol::acyclic::arm::FADE_MS;
 use firmware_protocol::frame::hello::safe_reason;
 
-/// Time in which a force fades (us).
 const FADE_US: f64 = FADE_MS as f64 * 1e3;
 
-/// What a board may do.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum InterlockState {
-    /// Nothing, for this reason; the force of before fades from then on, if there was one.
+    /// Renders nothing, for this reason; the earlier force fades from `fades_us` on, if any.
     Safe { reason: u8, fades_us: Option<u64> },
-    /// Nothing yet; a request with this nonce may arm it.
+    /// Renders nothing yet; a request with this nonce may arm it.
     Disarmed { nonce: u32, fades_us: Option<u64> },
-    /// It renders forces; the newest ones expire then. Nothing expires before the first.
+    /// Renders forces until they expire; there is no expiration before the first.
     Armed { expires_us: Option<u64> },
 }
 
-/// The interlock of one board.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ForceInterlock {
     state: InterlockState,
-    /// How long forces are valid (us).
+    /// Validity of forces (us).
     valid_us: u64,
-    /// What the next nonce is made of.
+    /// Seed of the next nonce.
     seed: u32,
-    /// Times that forces expired.
+    /// Expirations of forces.
     trips: u16,
-    /// Times that it was armed.
     armings: u16,
 }
 
-/// Why a board was not armed.
+/// Reason why a board was not armed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum NotArmed {
     /// It was not disarmed before.
     NotDisarmed,
-    /// The nonce is another one.
     WrongNonce,
 }
 
 impl ForceInterlock {
-    /// Returns a board that was just switched on.
     pub(super) const fn new(seed: u32) -> Self {
         let state = InterlockState::Safe { reason: safe_reason::NEVER_ARMED, fades_us: None };
         Self { state, valid_us: 0, seed, trips: 0, armings: 0 }
     }
 
-    /// Takes all forces away; returns the nonce for arming, or none if it is safe for good.
+    /// Removes all forces; returns the nonce for arming, or `None` if it is safe for good.
     pub(super) const fn disarm(&mut self, now_us: u64) -> Option<u32> {
         if self.is_latched() {
             return None;
@@ -72,13 +64,12 @@ impl ForceInterlock {
         Some(self.seed)
     }
 
-    /// Tells whether it is safe for good.
     const fn is_latched(&self) -> bool {
         matches!(self.state, InterlockState::Safe { reason, .. } if latches(reason))
     }
 
-    /// Returns from when on the last forces fade if they are taken away at `now_us`; none if there
-    /// are none. What has expired before has begun to fade then, and nothing fades twice.
+    /// Returns the time from which the last forces fade if they are removed at `now_us`, if any.
+    /// Expired forces have begun to fade before, and no force fades twice.
     const fn fades_us(&self, now_us: u64) -> Option<u64> {
         match self.state {
             InterlockState::Safe { fades_us, .. } | InterlockState::Disarmed { fades_us, .. } => {
@@ -105,15 +96,14 @@ impl ForceInterlock {
         }
     }
 
-    /// Arms the board without asking, as in a simulation without a link.
+    /// Arms the board without a nonce, for a simulation without a link.
     pub(super) const fn force_armed(&mut self, valid_us: u64) {
         self.state = InterlockState::Armed { expires_us: None };
         self.valid_us = valid_us;
         self.armings = self.armings.saturating_add(1);
     }
 
-    /// Takes note of forces that answer samples of `answered_us`; says whether they may be
-    /// rendered.
+    /// Records forces that answer samples of `answered_us`; returns their permission.
     pub(super) const fn feed(&mut self, answered_us: u64, now_us: u64) -> ForceDecision {
         let fed = self.judge(answered_us, now_us);
         let until_us = answered_us.saturating_add(self.valid_us);
@@ -128,7 +118,7 @@ impl ForceInterlock {
         fed
     }
 
-    /// Tells whether forces that answer samples of `answered_us` may be rendered.
+    /// Returns the permission of forces that answer samples of `answered_us`.
     pub(super) const fn judge(&self, answered_us: u64, now_us: u64) -> ForceDecision {
         let expires_us = answered_us.saturating_add(self.valid_us);
         match self.state {
@@ -144,8 +134,8 @@ impl ForceInterlock {
         }
     }
 
-    /// Goes safe for `reason`; a board that is safe already keeps its first reason, unless this
-    /// one is for good and the first is not.
+    /// Goes safe for `reason`; a safe board keeps its first reason, unless only the new one is for
+    /// good.
     pub(super) const fn trip(&mut self, reason: u8, now_us: u64) {
         let is_safe = matches!(self.state, InterlockState::Safe { .. });
         if !self.is_latched() && (!is_safe || latches(reason)) {
@@ -153,8 +143,7 @@ impl ForceInterlock {
         }
     }
 
-    /// Looks whether anything has expired by now; returns the share of the last forces to
-    /// render, `0 ..= 1`.
+    /// Checks for expiration; returns the share of the last forces to render, `0 ..= 1`.
     pub(super) fn share(&mut self, now_us: u64) -> f64 {
         match self.state {
             InterlockState::Armed { expires_us: None } => 0.0,
@@ -172,12 +161,11 @@ impl ForceInterlock {
         }
     }
 
-    /// Tells whether forces are rendered.
     pub(super) const fn is_armed(&self) -> bool {
         matches!(self.state, InterlockState::Armed { .. })
     }
 
-    /// Returns why no forces are rendered, as the hello says it.
+    /// Returns the reason why no forces are rendered, as in the hello.
     pub(super) const fn reason(&self) -> u8 {
         match self.state {
             InterlockState::Safe { reason, .. } => reason,
@@ -186,24 +174,22 @@ impl ForceInterlock {
         }
     }
 
-    /// Returns how often forces expired, and that it was armed.
+    /// Returns the numbers of expirations and armings.
     pub(super) const fn counts(&self) -> (u16, u16) {
         (self.trips, self.armings)
     }
 }
 
-/// Tells whether a board that is safe for `reason` is so for good.
+/// Returns `true` if a board that is safe for `reason` stays so.
 const fn latches(reason: u8) -> bool {
     matches!(reason, safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT)
 }
 
-/// What becomes of forces that came.
+/// Decision about received forces.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ForceDecision {
     Rendered,
-    /// They are too old.
     Stale,
-    /// The board is not armed.
     Unarmed,
 }
 

@@ -1,5 +1,5 @@
-//! What a board renders between two frames: F0 + K (s0 − s) + B (s0' − s'), where s0 goes on
-//! at s0' for a while.
+//! Force between two frames: F0 + K (s0 − s) + B (s0' − s'), where s0 continues at s0' for a
+//! limited time.
 
 use firmware_protocol::acyclic::arm::PATH_US;
 use firmware_protocol::frame::key_forces::{KeyForces, KeySlopes};
@@ -21,14 +21,14 @@ pub(super) struct Law {
     position: f64,
     /// Velocity of the samples, s0' (m/s).
     velocity: f64,
-    /// When the key was there (us).
+    /// Time of the samples (us).
     taken_us: u64,
 }
 
 impl Law {
-    /// Returns the law of the key in `slot` that `frame` says, where `samples` are what it answers.
+    /// Returns the law of the key in `slot` in `frame`, which answers `samples`.
     ///
-    /// `quantum` is what a count means (m). A frame that says "no force" says so of all keys.
+    /// `quantum` is the size of a count (m). The flag "no force" concerns all keys of a frame.
     pub(super) fn answering(
         frame: &KeyForces,
         samples: &KeySamples,
@@ -47,7 +47,7 @@ impl Law {
         Self::here(*force, slopes, here, taken_us)
     }
 
-    /// Returns the law of a force that holds at a position (m) and velocity (m/s), measured then
+    /// Returns the law of a force that holds at a position (m) and velocity (m/s) of this time
     /// (us).
     pub(super) fn here(
         force: Millinewtons,
@@ -60,12 +60,12 @@ impl Law {
         Self { force, stiffness, damping, position, velocity, taken_us }
     }
 
-    /// Tells whether the force is the same wherever the key is.
+    /// Returns `true` if the force does not depend on the key's motion.
     pub(super) const fn is_held(&self) -> bool {
         self.stiffness.abs() == 0.0 && self.damping.abs() == 0.0
     }
 
-    /// Returns the force (N) at `now_us` on a key at `position` (m) moving at `velocity` (m/s).
+    /// Returns the force (N) at `now_us` on a key at `position` (m) with `velocity` (m/s).
     pub(super) fn force(&self, now_us: u64, (position, velocity): (f64, f64)) -> f64 {
         let along_us = now_us.saturating_sub(self.taken_us).min(PATH_US.into());
         let expected = self.position + self.velocity * (along_us as f64 * 1e-6);

@@ -1,7 +1,6 @@
-//! One simulated key: what a board does for it, without the board.
+//! One simulated key, without a board.
 //!
-//! [`SimulatedKey`] and the same key of the keybed give the same bits, so one can rehearse
-//! what the other will do.
+//! [`SimulatedKey`] and that key of the keybed produce equal bits, so one can rehearse the other.
 
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::quantity::Counts;
@@ -13,32 +12,31 @@ use super::force_law::Law;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 
-/// Ticks that are made up when the caller skipped some: enough for the watchdog to trip
-/// and the force to fade at 8 kHz. In those beyond nothing moves.
+/// Ticks that are made up after a pause of the caller: enough for the watchdog to trip and the
+/// force to fade at 8 kHz. Later skipped ticks move nothing.
 const MAX_CATCH_UP: u64 = 256;
 
-/// Longest period of a tick (s).
 const MAX_PERIOD: f64 = 1.0;
 
-/// A key under its motor and under the fingers that will play it.
+/// A key under its motor and its fingers.
 #[derive(Clone, Debug)]
 pub(super) struct Plant {
     rig: KeyRig,
-    /// What the encoder reads beside the position (counts).
+    /// Reading of the encoder at position 0 (counts).
     offset: i32,
     gestures: Vec<Gesture>,
-    /// The first gesture that is not over yet.
+    /// Index of the first gesture that is not over.
     current: usize,
-    /// Length of a pass (s), if all gestures begin again after it.
+    /// Length of a pass (s), if the gestures repeat.
     repeat: Option<f64>,
-    /// When the present pass began (s).
+    /// Start of the present pass (s).
     pass: f64,
     /// Force of the last tick (N).
     force: f64,
 }
 
 impl Plant {
-    /// Returns a key at rest whose encoder reads `offset` (counts) there.
+    /// Returns a key at rest with the reading `offset` (counts).
     pub(super) fn new(rig: RigParameters, offset: i32) -> Self {
         Self {
             rig: KeyRig::new(rig),
@@ -51,24 +49,23 @@ impl Plant {
         }
     }
 
-    /// Plays `gestures` from now on instead of those before, in the order of their starts.
+    /// Replaces the gestures, sorted by their starts.
     pub(super) fn play(&mut self, mut gestures: Vec<Gesture>) {
         gestures.sort_by(|one, other| one.start.total_cmp(&other.start));
         self.gestures = gestures;
         self.current = 0;
     }
 
-    /// Plays its gestures again and again, each pass `length` (s) after the one before.
+    /// Repeats the gestures with the period `length` (s).
     pub(super) const fn repeat_after(&mut self, length: f64) {
         self.repeat = Some(length);
     }
 
-    /// Lets a hand press on the key or grip it from now on.
     pub(super) fn press(&mut self, hand: HandCommand) {
         self.rig.command(hand);
     }
 
-    /// Adds a gesture to those that wait, and forgets those that are over.
+    /// Adds a gesture, and removes those that are over.
     pub(super) fn add(&mut self, gesture: Gesture) {
         self.gestures.drain(..self.current);
         self.current = 0;
@@ -76,12 +73,12 @@ impl Plant {
         self.gestures.insert(place, gesture);
     }
 
-    /// Returns the position (m) as the encoder reads it, and velocity (m/s).
+    /// Returns position (m), as the encoder reads it, and velocity (m/s).
     pub(super) fn measured(&self) -> (f64, f64) {
         (f64::from(self.counts().get()) * self.rig.quantum(), self.rig.velocity())
     }
 
-    /// Advances from `t` to `t + h` (s) with `force` (N) held; a key at rest is left alone.
+    /// Advances from `t` to `t + h` (s) with `force` (N) held; a key at rest is skipped.
     pub(super) fn advance(&mut self, t: f64, h: f64, force: f64) {
         let gesture = self.gesture(t, h);
         let same = force.to_bits() == self.force.to_bits();
@@ -92,7 +89,6 @@ impl Plant {
         self.rig.advance(t, h, force, gesture.as_ref());
     }
 
-    /// Returns what the encoder reads.
     pub(super) fn counts(&self) -> Counts {
         Counts::saturating(self.rig.counts().saturating_add(self.offset))
     }
@@ -101,7 +97,6 @@ impl Plant {
         &self.rig
     }
 
-    /// Returns how this key's encoder reads.
     pub(super) fn calibration(&self) -> KeyCalibration {
         let nominal = KeyCalibration::of_travel(self.rig.quantum(), self.rig.dip());
         let shifted = |it: Counts| Counts::saturating(it.get().saturating_add(self.offset));
@@ -111,8 +106,8 @@ impl Plant {
 
     /// Returns the gesture of the tick from `t` to `t + h` (s).
     ///
-    /// A finger that is there goes on until another one's time has come; one that comes
-    /// within the tick is given beforehand, so that it starts at its own time.
+    /// A finger continues until the start of another one, which is returned in the tick before so
+    /// that it starts at its own time.
     fn gesture(&mut self, t: f64, h: f64) -> Option<Gesture> {
         if let Some(length) = self.repeat
             && self.pass + length <= t
@@ -128,7 +123,7 @@ impl Plant {
         (gesture.start < in_pass + h).then_some(Gesture { start, release, ..gesture })
     }
 
-    /// Tells whether the current gesture has ended, or another one has started since.
+    /// Returns `true` if the current gesture has ended, or another one has started since.
     fn is_over(&self, t: f64) -> bool {
         let next = self.gestures.get(self.current + 1);
         self.gestures.get(self.current).is_some_and(|gesture| gesture.end() <= t)
@@ -136,7 +131,7 @@ impl Plant {
     }
 }
 
-/// How far a simulation has come: the tick whose samples it has given.
+/// Progress of a simulation: the tick of its last samples.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SampleProgress {
     period: f64,
@@ -144,7 +139,6 @@ pub(super) struct SampleProgress {
 }
 
 impl SampleProgress {
-    /// Returns a simulation that has not begun, in ticks of `period` (s).
     pub(super) fn new(period: f64) -> Result<Self, Error> {
         if 0.0 < period && period <= MAX_PERIOD {
             Ok(Self { period, tick: None })
@@ -153,19 +147,17 @@ impl SampleProgress {
         }
     }
 
-    /// Goes on to `tick`; returns the ticks to be simulated before its start.
+    /// Advances to `tick`; returns the ticks to simulate before its start.
     pub(super) fn go_on(&mut self, tick: u64) -> std::ops::Range<u64> {
         let from = self.tick.unwrap_or(tick);
         self.tick = Some(tick.max(from));
         from..tick.min(from.saturating_add(MAX_CATCH_UP))
     }
 
-    /// Tells whether nothing has been simulated yet.
     pub(super) const fn is_new(&self) -> bool {
         self.tick.is_none()
     }
 
-    /// Returns the start of `tick` (us).
     pub(super) fn us(&self, tick: u64) -> u64 {
         #[expect(
             clippy::cast_possible_truncation,
@@ -176,26 +168,24 @@ impl SampleProgress {
         us
     }
 
-    /// Returns the start of the tick that has come (us); 0 before the first.
+    /// Returns the start of the present tick (us); 0 before the first.
     pub(super) fn now_us(&self) -> u64 {
         self.us(self.tick.unwrap_or_default())
     }
 
-    /// Returns the start of `tick` (s).
     pub(super) fn seconds(&self, tick: u64) -> f64 {
         Moment { tick, theta: 0.0 }.seconds(self.period)
     }
 
-    /// Returns the length of a tick (s).
     pub(super) const fn period(&self) -> f64 {
         self.period
     }
 }
 
-/// One simulated key behind the wire's quantisation, to rehearse strokes with.
+/// One simulated key with the wire's quantisation, to rehearse strokes with.
 ///
-/// `receive` and `send` are those of the keybed for this key, on a link without faults.
-/// A clone is a rehearsal that leaves the original where it is.
+/// `receive` and `send` are those of the keybed for this key, on a link without faults. A clone
+/// can rehearse without changing the original.
 #[derive(Clone, Debug)]
 pub struct SimulatedKey {
     plant: Plant,
@@ -203,7 +193,7 @@ pub struct SimulatedKey {
     interlock: ForceInterlock,
     progress: SampleProgress,
     law: Law,
-    /// A law that has come since the sample that it answers, taken then (us).
+    /// A law that arrived after the sample that it answers, and the sample's time (us).
     answer: Option<(u64, Law)>,
 }
 
@@ -211,7 +201,7 @@ impl SimulatedKey {
     /// Returns a key at rest, in ticks of `period` (s).
     ///
     /// # Errors
-    /// Refuses a period that is not above 0 and up to 1 s.
+    /// If the period is not above 0 and up to 1 s.
     pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
         let plant = Plant::new(rig, 0);
         let mut interlock = ForceInterlock::new(0);
@@ -226,19 +216,16 @@ impl SimulatedKey {
         })
     }
 
-    /// Plays `gestures` from now on instead of those before.
     pub fn play(&mut self, gestures: Vec<Gesture>) {
         self.plant.play(gestures);
     }
 
-    /// Lets a hand press on the key or grip it from now on.
     pub fn press(&mut self, hand: HandCommand) {
         self.plant.press(hand);
     }
 
-    /// Advances to the start of `tick` with the force held until then; returns the sample.
-    ///
-    /// The first call starts there, at rest.
+    /// Advances to the start of `tick` with the present force; returns the sample. The first call
+    /// starts there, at rest.
     ///
     /// # Real-time
     /// One tick of the plant for each tick since the last call, at most 256; no heap.
@@ -256,9 +243,8 @@ impl SimulatedKey {
         KeySample::fresh(self.calibration.position(self.plant.counts()))
     }
 
-    /// Takes the force (N, up positive) that holds until the next one, as `slope` says.
-    ///
-    /// A safe key takes none, see [`Self::is_safe`]; nor does one that gave no sample yet.
+    /// Sets the force (N, up positive) that holds until the next one, with `slope`. A safe key
+    /// ignores it, see [`Self::is_safe`], as does one that gave no sample yet.
     ///
     /// # Real-time
     /// One conversion.
@@ -273,10 +259,9 @@ impl SimulatedKey {
         }
     }
 
-    /// Advances the plant over a tick that starts at `t` (s); a force that goes on is worked
-    /// out as often as a board does it.
+    /// Advances the plant over a tick from `t` (s); a law is evaluated as often as on a board.
     fn render(&mut self, t: f64, share: f64) {
-        /// How often a board works out a force that goes on (s).
+        /// Period of the evaluation of a law (s).
         const LAW_PERIOD: f64 = 100e-6;
         let h = self.progress.period();
         if self.law.is_held() {
@@ -292,12 +277,12 @@ impl SimulatedKey {
         }
     }
 
-    /// Tells whether no force came for 20 ms, after which the key takes none.
+    /// Returns `true` if no force arrived for 20 ms; the key then accepts none.
     pub const fn is_safe(&self) -> bool {
         !self.interlock.is_armed()
     }
 
-    /// Returns the plant itself, with what no sensor tells.
+    /// Returns the plant, which sensors show in part only.
     pub const fn rig(&self) -> &KeyRig {
         self.plant.rig()
     }

@@ -1,7 +1,7 @@
 //! The simulated keybed: eight boards of eleven keys on wires in memory.
 //!
-//! Order in time: `receive(n)` gives the positions at the start of tick n; `send(n)` gives
-//! the forces held over tick n; the plants move when the next `receive` comes.
+//! `receive(n)` returns the positions at the start of tick n; `send(n)` sets the forces held over
+//! tick n; the plants move at the next `receive`.
 
 use crate::links::faulty::{FaultCounts, FaultPlan, Faults};
 use crate::links::framed::Framing;
@@ -21,43 +21,43 @@ use crate::rt::link_monitor::{LinkMonitor, LinkSample};
 use crate::rt::link_snapshot::{BoardSnapshot, BoardStatus, LinkSnapshot};
 use crate::topology;
 
-/// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
+/// Frames that a wire holds: those of one tick, and those that faults repeat or delay into it.
 const WIRE_CAPACITY: usize = 8;
 
 /// Commands for hands that may wait.
 const MOST_PRESS_REQUESTS: usize = 256;
 
-/// Commands that one tick takes at most.
+/// Maximum number of commands per tick.
 const MOST_HANDS: usize = 16;
 
 /// Eight simulated boards and the host's end of their wires.
 #[derive(Debug)]
 pub struct SimulatedKeybed {
-    /// In a box, since it is too large for the stack of its owner.
+    /// Boxed, since it is too large for the stack of its owner.
     bus: Box<KeybedBus>,
     lines: Vec<SimulatedLine>,
-    /// Times that boards were armed again, if they are when they are found safe.
+    /// Number of rearmings, if safe boards are rearmed.
     rearmed: Option<u64>,
-    /// What hands shall do to keys.
+    /// Commands for hands.
     hands: Option<Consumer<(KeyIndex, HandCommand)>>,
     monitor: Option<LinkMonitor>,
 }
 
-/// A board, its wire, and what goes wrong on it.
+/// A board, its wire and the wire's faults.
 #[derive(Clone, Debug)]
 struct SimulatedLine {
     board: SimulatedBoard,
     wire: Loopback,
     faults: Faults,
-    /// What host and board remember of the stream between them.
+    /// Framing of the host's and of the board's end.
     framing: [Framing; 2],
 }
 
 impl SimulatedKeybed {
-    /// Returns a keybed at rest whose keys are all alike, in ticks of `period` (s).
+    /// Returns a keybed at rest with equal keys, in ticks of `period` (s).
     ///
     /// # Errors
-    /// Refuses a period that is not above 0 and up to 1 s.
+    /// If the period is not above 0 and up to 1 s.
     pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
         let lines: Vec<SimulatedLine> = BoardId::all()
             .map(|id| SimulatedLine::new(id, period, rig))
@@ -78,18 +78,16 @@ impl SimulatedKeybed {
         Ok(Self { bus, lines, rearmed: None, hands: None, monitor: None })
     }
 
-    /// Plays `gestures` on `key` from now on instead of those before.
     pub fn play(&mut self, key: KeyIndex, gestures: Vec<Gesture>) {
         self.lines[BoardId::of(key).index()].board.play(BoardId::slot_of(key), gestures);
     }
 
-    /// Plays the gestures of all keys again and again, each pass `length` (s) after the one before:
-    /// longer than the last of them takes.
+    /// Repeats the gestures of all keys with the period `length` (s), longer than the last of them.
     pub fn repeat_after(&mut self, length: f64) {
         self.lines.iter_mut().for_each(|line| line.board.repeat_after(length));
     }
 
-    /// Lets a hand press on `key` or grip it from now on.
+    /// Presses or grips `key` from now on.
     ///
     /// # Real-time
     /// One assignment.
@@ -97,15 +95,14 @@ impl SimulatedKeybed {
         self.lines[BoardId::of(key).index()].board.press(BoardId::slot_of(key), hand);
     }
 
-    /// Returns where commands for hands are given while ticks run, as in [`Self::press`]; not
-    /// for the tick.
+    /// Returns a ring for commands as of [`Self::press`] during ticks; not for the tick.
     pub fn press_requests(&mut self) -> Producer<(KeyIndex, HandCommand)> {
         let (requests, hands) = RingBuffer::new(MOST_PRESS_REQUESTS);
         self.hands = Some(hands);
         requests
     }
 
-    /// Returns where snapshots of all lines and boards come once a second, for ticks at `tick_hz`
+    /// Returns a ring with snapshots of all lines and boards once a second, for ticks at `tick_hz`
     /// (1/s); not for the tick.
     pub fn monitor(&mut self, tick_hz: u32) -> Consumer<LinkSample> {
         let (monitor, samples) = LinkMonitor::new(tick_hz);
@@ -113,63 +110,60 @@ impl SimulatedKeybed {
         samples
     }
 
-    /// Arms boards again from now on within the tick in which they are found safe, as a host does
-    /// with real ones.
+    /// Rearms boards in the tick in which they are found safe, as a host does with real ones.
     ///
-    /// By then safety has faded the host's own forces out too, and blends them in again, so
-    /// nothing is felt but the pause.
+    /// By then safety has faded out the host's own forces, and blends them in again, so only the
+    /// pause can be felt.
     pub fn keep_armed(&mut self) {
         self.rearmed.get_or_insert(0);
     }
 
-    /// Returns how often boards were armed again by [`Self::keep_armed`].
     pub fn rearmed(&self) -> u64 {
         self.rearmed.unwrap_or_default()
     }
 
-    /// Disturbs the wire of `board` from now on, as planned; exchanges count from 0.
+    /// Disturbs the wire of `board` as planned; exchanges count from 0.
     pub fn disturb(&mut self, board: BoardId, plan: FaultPlan) {
         self.lines[board.index()].faults = Faults::new(plan);
     }
 
-    /// Lets boards that are safe take forces again.
     pub fn rearm(&mut self) {
         for line in self.lines.iter_mut().filter(|line| line.board.is_safe()) {
             line.board.rearm();
         }
     }
 
-    /// Tells whether the watchdog of `board` has tripped and it was not armed since.
+    /// Returns `true` if the watchdog of `board` has tripped and it was not armed since.
     pub fn is_safe(&self, board: BoardId) -> bool {
         self.lines[board.index()].board.is_safe()
     }
 
-    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
+    /// Returns the line or board at index `place`, lines first; `None` behind the last.
     pub fn snapshot(&self, place: usize) -> Option<LinkSnapshot> {
         snapshot(&self.bus, self.rearmed, place)
     }
 
-    /// Returns what the host has counted on the wire of `board`.
+    /// Returns the host's statistics of `board`.
     pub fn statistics(&self, board: BoardId) -> BoardStatistics {
         self.bus.statistics(board.index())
     }
 
-    /// Returns what the wire of `board` has carried beside.
+    /// Returns the statistics of the wire of `board`.
     pub fn wire(&self, board: BoardId) -> LineStatistics {
         self.bus.line(board.index())
     }
 
-    /// Returns what `board` itself has counted.
+    /// Returns the counts of `board` itself.
     pub fn board_counts(&self, board: BoardId) -> BoardCounts {
         self.lines[board.index()].board.counts()
     }
 
-    /// Returns how often the wire of `board` was disturbed since the last plan.
+    /// Returns the number of faults on the wire of `board` since the last plan.
     pub fn fault_counts(&self, board: BoardId) -> FaultCounts {
         self.lines[board.index()].faults.counts()
     }
 
-    /// Returns the plant of `key`, with what no sensor tells.
+    /// Returns the plant of `key`, which sensors show in part only.
     pub fn rig(&self, key: KeyIndex) -> Option<&KeyRig> {
         self.lines[BoardId::of(key).index()].board.rig(BoardId::slot_of(key))
     }
@@ -192,8 +186,8 @@ impl SimulatedKeybed {
     }
 }
 
-/// Returns a line or board as it is now; boards that are kept armed were armed once more than
-/// again.
+/// Returns the present state of a line or board; boards that are kept armed count one arming more
+/// than rearmings.
 fn snapshot(bus: &KeybedBus, rearmed: Option<u64>, place: usize) -> Option<LinkSnapshot> {
     let snapshot = bus.snapshot(place)?;
     let status = rearmed.map(|rearmed| BoardStatus {
@@ -214,7 +208,7 @@ fn snapshot(bus: &KeybedBus, rearmed: Option<u64>, place: usize) -> Option<LinkS
 }
 
 impl KeyBus for SimulatedKeybed {
-    /// Lets the plants live until the start of `tick`, and takes what the wires bring.
+    /// Simulates the plants until the start of `tick`, and receives from the wires.
     ///
     /// # Real-time
     /// One tick of 88 plants for each tick since the last call, at most 256; no heap.

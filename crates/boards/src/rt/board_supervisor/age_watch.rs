@@ -1,31 +1,30 @@
-//! Samples that take longer on their way than when their board was armed.
+//! Detects samples that take longer on their path than when their board was armed.
 //!
-//! Stability was examined with the delay that the links had then. A way that has become longer is a
-//! slower loop, whatever the rate.
+//! Stability was examined with that delay; a longer path is a slower loop, whatever the rate.
 
-/// Samples from whose mean age what is usual is known.
+/// Minimum samples for a valid usual age.
 const ENOUGH: f64 = 200.0;
 
 /// Samples over which lateness is averaged.
 const MEMORY: f64 = 8.0;
 
-/// Lateness (periods) from which on a board gets half its forces, and none. A board's samples and the
+/// Lateness (periods) from which a board gets half its forces, and none. A board's samples and the
 /// host's ticks slide past each other by up to one period, which is no lateness.
 const SOFT: f64 = 1.25;
 const MUTE: f64 = 1.75;
 
-/// The ages of one board's samples.
+/// Ages of one board's samples.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct AgeWatch {
-    /// Mean age of the first samples (us), and how many there were.
+    /// Mean age of the first samples (us), and their number.
     usual_us: f64,
     n: f64,
-    /// How much later than that samples were of late (periods).
+    /// Recent lateness beyond that age (periods).
     late: f64,
 }
 
 impl AgeWatch {
-    /// Takes the age of a sample that has just come (us); samples are `period_us` apart.
+    /// Adds the age of a new sample (us); samples are `period_us` apart.
     pub(super) fn take(&mut self, age_us: i32, period_us: u64) {
         let age_us = f64::from(age_us);
         if self.n < ENOUGH {
@@ -37,12 +36,11 @@ impl AgeWatch {
         }
     }
 
-    /// Forgets what was usual, for a board that is armed again.
+    /// Forgets the usual age, for a board that is rearmed.
     pub(super) fn forget(&mut self) {
         *self = Self::default();
     }
 
-    /// Returns the share of its forces that the board may have.
     pub(super) fn share(&self) -> f64 {
         match self.late {
             late if MUTE <= late => 0.0,
@@ -51,7 +49,7 @@ impl AgeWatch {
         }
     }
 
-    /// Returns by how many periods samples are late, if that is too much.
+    /// Returns the lateness (periods), if it is too large.
     pub(super) fn late(&self) -> Option<f64> {
         (SOFT <= self.late).then_some(self.late)
     }

@@ -1,33 +1,31 @@
-//! The states of a board's bring-up, and why it may end without a force.
-
 use firmware_protocol::acyclic::{Operation, Status};
 
-/// How far a board has been brought up.
+/// State of a board's bring-up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ArmState {
-    /// It is asked for its hello.
+    /// A hello is requested.
     Greeting,
-    /// It is asked whether its encoders know where their keys are.
+    /// The homing state of its encoders is requested.
     Checking,
-    /// It is asked for samples.
+    /// Samples are requested.
     Streaming,
-    /// It sends samples: they must come as often as it has confirmed.
+    /// It sends samples, whose rate must be the one that it confirmed.
     Measuring,
-    /// It is asked for a nonce.
+    /// A nonce is requested.
     Disarming,
-    /// It is told to render forces.
+    /// Arming is requested.
     Arming {
         nonce: u32,
     },
-    /// It says that it renders forces; samples that say so too are waited for.
+    /// It reports that it is armed; samples that confirm it are awaited.
     Confirming,
     Armed,
-    /// It may not be armed until a person has seen to it, or a while has passed.
+    /// It may not be armed until a person has fixed the cause, or a pause has passed.
     Barred(ArmLockout),
 }
 
 impl ArmState {
-    /// Returns the request whose answer leads on from this state.
+    /// Returns the request whose answer ends this state.
     pub const fn waits_for(self) -> Option<Operation> {
         match self {
             Self::Greeting => Some(Operation::Hello),
@@ -39,52 +37,51 @@ impl ArmState {
         }
     }
 
-    /// Tells whether the board may not be armed.
     pub const fn is_barred(self) -> bool {
         matches!(self, Self::Barred(_))
     }
 }
 
-/// Why a board may not be armed.
+/// Reason why a board may not be armed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ArmLockout {
     /// It renders no force, for this reason.
     Latched(u8),
-    /// It answered a request with this status.
+    /// It declined a request with this status.
     Declined(Operation, Status),
     /// Another board has taken its place, or its firmware was changed.
     Exchanged,
-    /// Its clock runs too fast by so much (1e-6), more than is accepted.
+    /// Its clock runs too fast by this drift (1e-6), beyond the limit.
     Clock(i32),
-    /// It said that it was armed, and sent no samples.
+    /// It reported that it was armed, and sent no samples.
     NoSamples,
-    /// It said that it was armed, and sent samples that cannot be read.
+    /// It reported that it was armed, and sent unreadable samples.
     Unreadable,
-    /// It said that it was armed, and its samples that it renders no force.
+    /// It reported that it was armed, but its samples report that it renders no force.
     StaysSafe,
-    /// Its samples are so old when they come (ms) that no force can answer them in time.
+    /// Its samples are so old on arrival (ms) that no force can answer them in time.
     Late(u16),
-    /// Its encoders do not know where these keys are, slot 0 in bit 0.
+    /// Its encoders do not know the positions of these keys, slot 0 in bit 0.
     NotHomed(u16),
     /// Its samples are farther apart than agreed.
     Slow(SlowSamples),
-    /// Its samples come in bursts, so far apart (us).
+    /// Its samples arrive in bursts at this interval (us).
     Bursts(u32),
-    /// It has restarted so often, the last time for this reason (as in its hello).
+    /// It has restarted too often; `reason` is the last one, as in its hello.
     Restarting { times: u8, reason: u8 },
 }
 
-/// Samples that are farther apart than agreed.
+/// Sample intervals above the agreed one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SlowSamples {
-    /// The median (us).
+    /// Median (us).
     pub median_us: u16,
-    /// What was agreed (us).
+    /// Agreed interval (us).
     pub agreed_us: u16,
 }
 
 impl ArmLockout {
-    /// Tells whether the board is tried again after a while.
+    /// Returns `true` if the board is tried again after a pause.
     pub(super) const fn ends(self) -> bool {
         match self {
             Self::Declined(..)

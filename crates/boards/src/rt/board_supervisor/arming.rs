@@ -1,4 +1,4 @@
-//! How far a board has been brought up: the state machine, all of its events on one page.
+//! State machine of a board's bring-up, with all its events.
 //!
 //! ```text
 //! Greeting ─ hello ─▶ (Checking ─ homed ─▶) Streaming ─ done ─▶ Measuring ─ often enough ─▶ Disarming
@@ -8,13 +8,13 @@
 //!    └── it fell silent, restarted, or renders no force and gave no reason ◀──┴──────────┘
 //! ```
 //!
-//! Only a board that knows its health is asked for it. A board that confirms a rate and sends fewer
-//! samples is not armed, and no longer so once it begins to.
+//! Only a board with the health feature is asked for it. A board that sends fewer samples than it
+//! confirmed is not armed, and is disarmed when that begins.
 //!
-//! A board that tripped over silence, or has restarted, is armed again: at once, then after 1, 2 and
-//! 4 s. One that restarts more often is left off. One that was stopped, or whose key failed,
-//! stays `Barred` until a person has seen to it. One that does not get to `Armed` in five attempts
-//! is left alone for ten seconds, or until it says hello anew.
+//! A board that tripped over silence, or has restarted, is rearmed: at once, then after 1, 2 and
+//! 4 s. One that restarts more often, was stopped, or has a failed key stays `Barred` until a
+//! person has fixed the cause. One that does not reach `Armed` in five attempts is left alone for
+//! ten seconds, or until its next hello.
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::health::BoardHealth;
@@ -30,39 +30,37 @@ use crate::request_channel::RequestChannel;
 use crate::rt::sample_interval::IntervalFault;
 use crate::rt::terms::BoardAgreement;
 
-/// Time after which an attempt to bring a board up is made again (us).
+/// Pause between two attempts of a bring-up (us).
 const AGAIN_US: u64 = 100_000;
-/// A board that was armed for a shorter time than this is not armed again at once (us).
+/// Armed time below which a board is not rearmed at once (us).
 const SHORT_US: u64 = 1_000_000;
 /// Attempts to arm a board until it is left alone.
 const MOST_ATTEMPTS: u8 = 5;
-/// Shortest and longest time that samples are measured before a board is armed (us).
+/// Shortest and longest measurement of samples before arming (us).
 const MEASURING_US: u64 = 150_000;
 const LONGEST_MEASURING_US: u64 = 1_000_000;
-/// Restarts in quick succession after which a board is left off.
+/// Restarts in quick succession after which a board is barred.
 const MOST_RESTARTS: u8 = 4;
-/// Time for which a board is left alone after too many attempts (us).
+/// Pause after too many attempts (us).
 const LEFT_ALONE_US: u64 = 10_000_000;
 
 /// The bring-up of one board.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arming {
     state: ArmState,
-    /// Times that it was armed.
     armings: u64,
-    /// Attempts since it was armed last.
+    /// Attempts since the last arming.
     attempts: u8,
-    /// When the state `Confirming` or `Armed` began (us).
+    /// Begin of the state `Confirming` or `Armed` (us).
     since: u64,
-    /// Frames of samples that had been refused when it was told to arm.
+    /// Rejected sample frames at the request to arm.
     refused: u64,
     /// Earliest time of the next request (us).
     rest_until: u64,
-    /// End of the time for which a barred board is left alone (us).
+    /// End of the pause of a barred board (us).
     barred_until: u64,
-    /// The board must be told to let go of all forces.
     must_disarm: bool,
-    /// Times that it tripped of late, and that it restarted.
+    /// Recent trips and restarts.
     trips: BackOff,
     restarts: BackOff,
 }
@@ -83,7 +81,6 @@ impl Arming {
         }
     }
 
-    /// Returns how often the board has restarted of late.
     pub(super) const fn restarts(&self) -> u8 {
         self.restarts.n()
     }
@@ -96,20 +93,18 @@ impl Arming {
         self.armings
     }
 
-    /// Tells whether the next request may be asked.
     pub(super) const fn has_rested(&self, now: u64) -> bool {
         self.rest_until <= now
     }
 
-    /// Asks nothing for a while.
     pub(super) const fn rest(&mut self, now: u64) {
         self.rest_until = now + AGAIN_US;
     }
 
-    /// Begins again, since the board has restarted for `reason` (as in its hello).
+    /// Restarts the bring-up, since the board has restarted for `reason` (as in its hello).
     pub(super) fn on_start(&mut self, reason: u8, now: u64) {
         self.attempts = 0;
-        // Its first start is none.
+        // Its first start is no restart.
         let wait_us = if self.armings == 0 { 0 } else { self.restarts.next(now) };
         if MOST_RESTARTS < self.restarts.n() {
             self.bar(ArmLockout::Restarting { times: self.restarts.n(), reason }, now);
@@ -118,20 +113,19 @@ impl Arming {
         }
     }
 
-    /// Bars a board whose samples are farther apart than agreed.
     fn on_slow(&mut self, slow: SlowSamples, now: u64) {
         self.must_disarm = self.state == ArmState::Armed;
         self.bar(ArmLockout::Slow(slow), now);
     }
 
-    /// Begins again after a while, since a request was never answered.
+    /// Restarts after a pause, since a request was never answered.
     pub(super) const fn on_loss(&mut self, now: u64) {
         if !self.state.is_barred() {
             self.greet(now + AGAIN_US);
         }
     }
 
-    /// Bars a board whose clock runs by `ppm` (1e-6) too fast, more than is accepted.
+    /// Bars a board whose clock runs too fast by `ppm` (1e-6), beyond the limit.
     pub(super) const fn on_clock(&mut self, ppm: i32, now: u64) {
         if matches!(self.state, ArmState::Confirming | ArmState::Armed) {
             self.bar(ArmLockout::Clock(ppm), now);
@@ -139,7 +133,7 @@ impl Arming {
         }
     }
 
-    /// Bars a board whose samples are so old when they come (ms) that forces cannot answer them.
+    /// Bars a board whose samples are too old on arrival (ms) for forces to answer them.
     pub(super) const fn on_late(&mut self, ms: u16, now: u64) {
         if matches!(self.state, ArmState::Armed) {
             self.bar(ArmLockout::Late(ms), now);
@@ -147,7 +141,7 @@ impl Arming {
         }
     }
 
-    /// Goes on as time passes and `samples` have come.
+    /// Advances by time and by the samples that have arrived.
     pub(super) fn on_time(&mut self, samples: &SampleWatch, agreed_us: u16, now: u64) {
         let intervals = samples.intervals();
         let slow = intervals.filter(|it| it.fault(agreed_us) == Some(IntervalFault::Slow));
@@ -160,7 +154,7 @@ impl Arming {
         }
         match self.state {
             ArmState::Measuring => {
-                // One whose samples do not come, or cannot be read, is found later.
+                // Missing or unreadable samples are found later.
                 let is_mute = is_silence(self.since, now) && !samples.have_come_since(self.since);
                 let is_measured = intervals.is_some() && self.since + MEASURING_US < now;
                 if is_measured || is_mute || self.since + LONGEST_MEASURING_US < now {
@@ -187,7 +181,7 @@ impl Arming {
         }
     }
 
-    /// Goes on after the board has done what it was asked, and answered with `record`.
+    /// Advances after the board has done a request and answered with `record`.
     ///
     /// An answer for which the state does not wait is late, and changes nothing.
     pub(super) fn on_done(
@@ -225,13 +219,13 @@ impl Arming {
         }
     }
 
-    /// Goes on after the board has declined a request of its bring-up.
+    /// Advances after the board has declined a request of its bring-up.
     pub(super) fn on_declined(&mut self, asked: Operation, status: Status, now: u64) {
         let why = ArmLockout::Declined(asked, status);
         let is_nonce_old =
             status == Status::WrongNonce || (asked, status) == (Operation::Arm, Status::WrongState);
         if (asked, status) == (Operation::Disarm, Status::WrongState) {
-            // It was stopped, or has failed, since it said hello: the next one says which.
+            // It was stopped or has failed since its hello; the next hello contains the reason.
             self.fail(why, now);
         } else if is_nonce_old && self.attempts < MOST_ATTEMPTS {
             self.attempt();
@@ -240,7 +234,7 @@ impl Arming {
         }
     }
 
-    /// Asks what brings the board on; returns whether there is such a request.
+    /// Sends the next request of the bring-up; returns `true` if there is one.
     pub(super) fn ask(&mut self, agreed: &BoardAgreement, channel: &mut RequestChannel) -> bool {
         let terms = agreed.terms;
         if std::mem::take(&mut self.must_disarm) {
@@ -277,7 +271,7 @@ impl Arming {
         self.attempts = self.attempts.saturating_add(1);
     }
 
-    /// Believes a board that says that it is armed as soon as its samples say so too.
+    /// Accepts that a board is armed as soon as its samples confirm it.
     const fn confirm(&mut self, samples: &SampleWatch, now: u64) {
         if samples.is_clear_at(now) {
             self.state = ArmState::Armed;
@@ -310,7 +304,6 @@ impl Arming {
     }
 }
 
-/// Returns what follows a hello: whether the board may be armed.
 fn after_hello(hello: &Hello, agreed: &BoardAgreement) -> ArmState {
     let is_same = hello.uid == agreed.uid && hello.schema == schema::HASH;
     if !is_same {

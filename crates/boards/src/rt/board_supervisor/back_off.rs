@@ -1,12 +1,11 @@
-//! How long to wait before a board that fails again and again is armed.
+//! Waiting time before a board that fails repeatedly is armed.
 
-/// Time after which what happened before is forgotten (us).
+/// Time after which earlier events are forgotten (us).
 const MEMORY_US: u64 = 10_000_000;
 
 /// Waits after the first, the second ... of several events (us).
 const WAITS_US: [u64; 4] = [0, 1_000_000, 2_000_000, 4_000_000];
 
-/// Events in quick succession.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BackOff {
     newest_us: u64,
@@ -14,10 +13,9 @@ pub(super) struct BackOff {
 }
 
 impl BackOff {
-    /// Nothing has happened.
     pub(super) const NONE: Self = Self { newest_us: 0, n: 0 };
 
-    /// Counts an event at `now` (us); returns how long to wait (us).
+    /// Counts an event at `now` (us); returns the wait (us).
     pub(super) fn next(&mut self, now: u64) -> u64 {
         if self.newest_us + MEMORY_US < now {
             self.n = 0;
@@ -27,7 +25,6 @@ impl BackOff {
         wait
     }
 
-    /// Returns how many events there were.
     pub(super) const fn n(&self) -> u8 {
         self.n
     }

@@ -1,22 +1,22 @@
-//! Gestures for the simulated fingers of a board, handed over before they begin.
+//! Gestures for the simulated fingers of a board, sent before they begin.
 
 use firmware_protocol::acyclic::finger::{self, Finger};
 use haptics::plant::{Gesture, Touch};
 
 use crate::clock::ClockModel;
 
-/// How long before its time a gesture is handed over (us).
+/// Time by which a gesture is sent ahead (us).
 const AHEAD_US: u64 = 1_000_000;
 
-/// Gestures that wait to be handed over, in the order of their starts.
+/// Gestures to be sent, in the order of their starts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct GestureQueue {
     /// Each with the slot of its key.
     gestures: Vec<(u8, Gesture)>,
     next: usize,
-    /// Length of a pass (s), if all gestures begin again after it.
+    /// Length of a pass (s), if the gestures repeat.
     repeat: Option<f64>,
-    /// When the present pass began (s).
+    /// Start of the present pass (s).
     pass: f64,
 }
 
@@ -27,12 +27,12 @@ impl GestureQueue {
         self.gestures.sort_by(|one, other| one.1.start.total_cmp(&other.1.start));
     }
 
-    /// Hands its gestures over again and again, each pass `length` (s) after the one before.
+    /// Repeats the gestures with the period `length` (s).
     pub(super) const fn repeat_after(&mut self, length: f64) {
         self.repeat = Some(length);
     }
 
-    /// Returns the next gesture, if its time is near and the board's time is known.
+    /// Returns the next gesture, if it is due and the board's time is known.
     pub(super) fn next(&self, now: u64, origin: u64, clock: &ClockModel) -> Option<Finger> {
         let &(slot, gesture) = self.gestures.get(self.next)?;
         let at = |seconds: f64| origin + microseconds(self.pass + seconds);
@@ -56,7 +56,7 @@ impl GestureQueue {
         })
     }
 
-    /// Goes on to the next gesture: the board has taken this one, or never will.
+    /// Skips the next gesture: the board has accepted it, or never will.
     pub(super) const fn advance(&mut self) {
         self.next += 1;
         if let Some(length) = self.repeat
@@ -67,13 +67,11 @@ impl GestureQueue {
     }
 }
 
-/// Returns whole microseconds in a time that is not negative (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn microseconds(seconds: f64) -> u64 {
     (seconds * 1e6).round() as u64
 }
 
-/// Returns whole millionths of a value of the wire.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn micro(value: f64) -> u32 {
     (value * 1e6).round() as u32

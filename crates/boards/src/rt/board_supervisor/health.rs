@@ -1,4 +1,4 @@
-//! How a board reports that it and its keys are: polled once a second, key by key in turns.
+//! Health of a board and its keys: polled once a second, key by key in turns.
 
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::acyclic::health::{BoardHealth, KeyHealth, MuteKey, ReadKeyHealth};
@@ -12,22 +12,21 @@ use crate::request_channel::RequestChannel;
 use crate::rt::board::BoardStatistics;
 use crate::rt::terms::BoardAgreement;
 
-/// What is known of the health of one board.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HealthWatch {
-    /// It knows how it is.
+    /// `true` if the board has the health feature.
     is_known: bool,
     n_keys: u8,
-    /// Keys that it reports as failed, slot 0 in bit 0, and what for.
+    /// Failed keys in its report, slot 0 in bit 0, and their causes.
     failed: u16,
     causes: [Option<u8>; MOST_KEYS],
-    /// Keys whose motors the board was asked to take off.
+    /// Keys with motors that the board was asked to switch off.
     muted: u16,
-    /// When it is asked next (us), and about which key.
+    /// Time of the next request (us), and its key.
     next_board: u64,
     next_key: u64,
     slot: u8,
-    /// The key that a request under way is about.
+    /// Key of the request under way.
     asked: u8,
     hottest: Option<i16>,
 }
@@ -48,18 +47,18 @@ impl HealthWatch {
         }
     }
 
-    /// Forgets what a board that has restarted had failed of, and what it was asked.
+    /// Forgets failures and requests of a board that has restarted.
     pub(super) fn forget(&mut self) {
         (self.failed, self.muted) = (0, 0);
         self.causes = [None; MOST_KEYS];
     }
 
-    /// Returns the hottest motor that was reported (0.1 °C).
+    /// Returns the hottest reported motor (0.1 °C).
     pub(super) const fn hottest(&self) -> Option<i16> {
         self.hottest
     }
 
-    /// Tells whether the cause of every reported failure is known.
+    /// Returns `true` if the cause of every reported failure is known.
     pub(super) fn is_settled(&self) -> bool {
         self.unexplained().is_none()
     }
@@ -72,13 +71,13 @@ impl HealthWatch {
         })
     }
 
-    /// Returns a key that has failed for a reason that is not known yet.
+    /// Returns a failed key with an unknown cause.
     fn unexplained(&self) -> Option<u8> {
         (0..self.n_keys)
             .find(|slot| self.failed >> slot & 1 == 1 && self.causes[usize::from(*slot)].is_none())
     }
 
-    /// Asks what is due at `now` (us) of an armed board; returns whether there is such a request.
+    /// Sends the request due at `now` (us) to an armed board; returns `true` if there is one.
     pub(super) fn ask(
         &mut self,
         now: u64,
@@ -116,16 +115,15 @@ impl HealthWatch {
         channel.ask(Operation::KeyHealth, &ReadKeyHealth { slot });
     }
 
-    /// Takes how the board is.
     pub(super) fn take_board(&mut self, health: &BoardHealth) {
         self.failed = health.faults;
     }
 
-    /// Takes the answer on the key that was asked about last; none if it was declined.
+    /// Stores the answer about the last key; `None` if it was declined.
     pub(super) fn take_key(&mut self, record: Option<&[u8]>) {
         let health = record.and_then(KeyHealth::take);
         let Some(cause) = self.causes.get_mut(usize::from(self.asked)) else { return };
-        // One that the board counts as failed has some fault, whatever it answers.
+        // A key that the board counts as failed has some fault, whatever the answer.
         let fault = health.map_or(key_fault::OTHER, |it| it.fault);
         let is_failed = self.failed >> self.asked & 1 == 1;
         *cause = match fault {
@@ -136,7 +134,7 @@ impl HealthWatch {
         self.hottest = self.hottest.max(temperature);
     }
 
-    /// Takes note that the board was asked to take the motor off that was asked about last.
+    /// Records that the board was asked to switch off the motor of the last key.
     pub(super) const fn on_muted(&mut self) {
         self.muted |= 1 << self.asked;
     }

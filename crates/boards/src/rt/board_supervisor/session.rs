@@ -1,4 +1,4 @@
-//! The requests to one board beside the cyclic frames: which is next, and what its answer means.
+//! Requests to one board beside the cyclic frames: their order, and the effect of the answers.
 
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::Finger;
@@ -25,15 +25,14 @@ use crate::rt::key_fault::KeyFault;
 use crate::rt::sample_interval::IntervalFault;
 use crate::rt::terms::BoardAgreement;
 
-/// How long a light shows which board it is on (s).
+/// Time for which a light identifies its board (s).
 pub const LIGHT_S: u8 = 10;
 
-/// Requests to one board, and the state that their answers and its frames have brought it to.
+/// State of one board, after its answers and frames.
 #[derive(Clone, Debug)]
 pub(super) struct BoardSession {
     pub(super) agreed: BoardAgreement,
     pub(super) gestures: GestureQueue,
-    /// The board shall show its light.
     pub(super) is_light_wanted: bool,
     channel: RequestChannel,
     arming: Arming,
@@ -43,20 +42,19 @@ pub(super) struct BoardSession {
     replies: ReplyStatistics,
     /// `true` if the board has restarted, and the numbers of its samples with it.
     is_anew: bool,
-    /// Times that it has restarted since it was armed first, and why the last time.
+    /// Restarts since the first arming, and the last reason.
     restarts: u64,
     reset_reason: u8,
     health: HealthWatch,
     ages: AgeWatch,
 }
 
-/// The counters that a board keeps itself.
 #[derive(Clone, Debug, Default)]
 struct CounterWatch {
     newest: Option<Counters>,
     /// `true` if most forces between the two newest answers were stale.
     is_stale: bool,
-    /// When they are asked for next (us).
+    /// Time of the next request (us).
     next_us: u64,
 }
 
@@ -70,14 +68,13 @@ impl CounterWatch {
     }
 }
 
-/// Statistics of the answers to all requests.
 #[derive(Clone, Debug, Default)]
 struct ReplyStatistics {
     /// Requests that the board declined while it was armed.
     declined: u64,
     /// Answers to requests that had been sent twice.
     late: u64,
-    /// When the newest answer came (us).
+    /// Arrival of the newest answer (us).
     newest_us: Option<u64>,
 }
 
@@ -107,14 +104,13 @@ impl BoardSession {
         self.arming.state()
     }
 
-    /// Tells whether the board renders forces, its clock is known, and failed keys are explained.
+    /// Returns `true` if the board is armed, its clock known, and every failed key explained.
     pub(super) fn is_ready(&self) -> bool {
         self.state() == ArmState::Armed && self.timing.is_known() && self.health.is_settled()
     }
 
-    /// Returns the share of its forces that the board may be sent.
     pub(super) fn share(&self) -> f64 {
-        /// What a board keeps whose samples come unevenly.
+        /// Share for a board whose samples arrive unevenly.
         const SOFT: f64 = 0.5;
         if self.state() != ArmState::Armed || self.samples.burst_us().is_some() {
             return 0.0;
@@ -128,33 +124,31 @@ impl BoardSession {
         self.ages.share().min(even)
     }
 
-    /// Takes the age of samples that have just come (us), `period_us` after those before.
+    /// Adds the age of new samples (us), `period_us` after those before.
     pub(super) fn take_age(&mut self, age_us: i32, period_us: u64) {
         if self.state() == ArmState::Armed {
             self.ages.take(age_us, period_us);
         }
     }
 
-    /// Asks soon for what the board has counted.
     pub(super) const fn want_counters(&mut self) {
         self.counters.next_us = 0;
     }
 
-    /// Tells whether the board is not ready since its answers come too late to read its clock.
+    /// Returns `true` if the board is not ready because its answers are too late to read its clock.
     pub(super) fn answers_late(&self) -> bool {
-        /// Answers that may be late by chance.
+        /// Late answers that may be chance.
         const FEW: u64 = 8;
         !self.timing.is_known() && FEW < self.replies.late
     }
 
-    /// Returns the time from its newest answer until `now` (us), if it has ever answered.
+    /// Returns the time from its newest answer until `now` (us), if any.
     pub(super) fn since_answer(&self, now: u64) -> Option<u64> {
         self.replies.newest_us.map(|newest| now.saturating_sub(newest))
     }
 
-    /// Takes note that samples usually come `usual_us` after they were taken, too late for forces.
-    ///
-    /// A clock that is read wrong says so too, so the board must have counted that they are.
+    /// Records that samples usually arrive `usual_us` late, too late for forces. A misread clock
+    /// shows the same, so the board must have counted the late forces.
     pub(super) const fn on_late(&mut self, usual_us: f64, now: u64) {
         if !self.counters.is_stale {
             return;
@@ -164,7 +158,6 @@ impl BoardSession {
         self.arming.on_late(ms, now);
     }
 
-    /// Returns how often the board was armed, if it is now.
     pub(super) fn armings(&self) -> Option<u64> {
         (self.state() == ArmState::Armed).then_some(self.arming.armings())
     }
@@ -198,7 +191,7 @@ impl BoardSession {
         }
     }
 
-    /// Sees what has come from the board with this index, and goes on; returns the frame to send.
+    /// Evaluates the frames of the board with this index; returns the frame to send.
     pub(super) fn attend(
         &mut self,
         now: u64,
@@ -216,7 +209,7 @@ impl BoardSession {
         self.channel.due(now)
     }
 
-    /// Looks whether the board is still there and renders forces.
+    /// Checks if the board is still there and renders forces.
     fn watch(&mut self, now: u64, board: usize, bus: &mut KeybedBus) {
         if std::mem::take(&mut self.is_anew) {
             bus.forget(board);
@@ -234,13 +227,13 @@ impl BoardSession {
             self.arming.on_clock(ppm, now);
         }
         if self.state() == ArmState::Armed && self.samples.is_silent(now) {
-            // Its numbers may begin anew.
+            // Its numbers may restart.
             bus.forget(board);
         }
         self.arming.on_time(&self.samples, self.agreed.terms.period_us, now);
     }
 
-    /// Asks what comes next: what brings the board on, its light, then the rest by turns.
+    /// Sends the next request: for the bring-up, then the light, then the others in turns.
     fn ask_next(&mut self, now: u64, origin: Option<u64>, statistics: &BoardStatistics) {
         if self.arming.ask(&self.agreed, &mut self.channel) {
             return;
@@ -250,7 +243,7 @@ impl BoardSession {
                 self.is_light_wanted = false;
                 self.channel.ask(Operation::Light, &Light { seconds: LIGHT_S });
             }
-            // A latched board still reports which key has failed.
+            // A latched board still reports the failed key.
             ArmState::Armed | ArmState::Barred(ArmLockout::Latched(_))
                 if self.health.ask(now, statistics, &mut self.channel) => {}
             ArmState::Armed => self.ask_by_turns(now, origin),
@@ -277,12 +270,12 @@ impl BoardSession {
         }
     }
 
-    /// Returns the gesture that is handed over next, once gestures count.
+    /// Returns the next gesture to send, once gestures count.
     fn next_gesture(&self, now: u64, origin: Option<u64>) -> Option<Finger> {
         self.gestures.next(now, origin?, self.timing.clock())
     }
 
-    /// Takes a hello that was not asked for: the board may have started anew.
+    /// Handles an unrequested hello: the board may have restarted.
     pub(super) fn take_hello(&mut self, frame: &[u8], now: u64) {
         let Ok(it) = Introduction::decode(frame) else { return };
         if it.hello.uid != self.agreed.uid || it.hello.safe_reason != safe_reason::NEVER_ARMED {
@@ -299,7 +292,7 @@ impl BoardSession {
         self.arming.on_start(it.hello.reset_reason, now);
     }
 
-    /// Takes a frame, which counts if it is the answer that is waited for.
+    /// Handles a frame, which counts if it is the awaited answer.
     pub(super) fn take_reply(&mut self, frame: &[u8], now: u64) {
         let Some(received) = self.channel.take_reply(frame) else { return };
         let ReceivedReply { reply, operation, sent_us } = received;
@@ -327,12 +320,12 @@ impl BoardSession {
                 self.arming.on_done(done, record, &self.agreed, now);
             }
             Operation::Ping => {
-                // A request that was sent twice tells no time.
+                // A request that was sent twice measures no time.
                 if let Some((Pong { board_us }, sent_us)) = Pong::take(record).zip(sent_us) {
                     self.timing.learn(sent_us, board_us, now);
                 }
             }
-            // A gesture that was never answered is handed over again.
+            // A gesture that was never answered is sent again.
             Operation::Finger => self.gestures.advance(),
             Operation::Counters => self.counters.take(Counters::take(record)),
             _ => {}
@@ -358,13 +351,13 @@ impl BoardSession {
             | Operation::Arm => {
                 self.arming.on_declined(asked, status, now);
             }
-            // As many gestures wait there as it can hold: again, a little later.
+            // The board's queue of gestures is full: try again later.
             Operation::Finger if status == Status::WrongState => self.arming.rest(now),
             Operation::Finger => {
                 self.replies.declined += 1;
                 self.gestures.advance();
             }
-            // A board whose clock cannot be read cannot be used.
+            // A board with an unreadable clock is unusable.
             Operation::Ping if !self.timing.is_known() => {
                 self.arming.on_declined(asked, status, now);
             }

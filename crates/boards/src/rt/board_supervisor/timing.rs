@@ -1,26 +1,23 @@
-//! The clock of a board, learned from round trips.
-
 use crate::clock::{ClockModel, ClockUpdate};
 use crate::periods::PING_US;
 use crate::rt::round_trips::RoundTripHistory;
 
-/// Round trips at the start, to learn a board's clock from.
+/// Initial round trips, to learn a board's clock from.
 const QUICK_PINGS: u32 = 8;
-/// Round trips after which they are no quicker for a clock that is not known yet: on a machine
-/// that is slow because it is busy, more of them would keep it so, and those that are farther
-/// apart tell a rate better.
+/// Round trips after which those for an unknown clock slow down: on a busy machine more of them
+/// would keep it busy, and those that are farther apart determine a rate better.
 const MOST_QUICK_PINGS: u32 = 32;
-/// Time between two quick round trips (us).
+/// Interval of quick round trips (us).
 const QUICK_PING_US: u64 = 10_000;
 
-/// A board's clock, and its round trips.
+/// A board's clock, learned from round trips.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BoardTiming {
     clock: ClockModel,
     round_trips: RoundTripHistory,
-    /// Round trips since the clock was set anew or has jumped.
+    /// Round trips since the clock was reset or has jumped.
     n_pings: u32,
-    /// When the next round trip is due (us).
+    /// Due time of the next round trip (us).
     next_ping: u64,
     jumps: u64,
 }
@@ -34,22 +31,20 @@ impl BoardTiming {
         &self.round_trips
     }
 
-    /// Returns how often the clock has jumped.
     pub(super) const fn jumps(&self) -> u64 {
         self.jumps
     }
 
-    /// Tells whether the board's time can be told.
     pub(super) const fn is_known(&self) -> bool {
         QUICK_PINGS <= self.n_pings && self.clock.is_known()
     }
 
-    /// Returns by how much the clock runs too fast (1e-6), if that is more than is accepted.
+    /// Returns the clock's drift (1e-6, fast positive), if it exceeds the limit.
     pub(super) fn excess_ppm(&self) -> Option<i32> {
         self.clock.is_beyond_tolerance().then(|| millionths(self.clock.drift_ppm()))
     }
 
-    /// Tells whether a round trip is due at `now` (us), and expects it to be made if it is.
+    /// Returns `true` if a round trip is due at `now` (us), and then expects it to be made.
     pub(super) const fn take_ping(&mut self, now: u64) -> bool {
         if now < self.next_ping {
             return false;
@@ -60,7 +55,7 @@ impl BoardTiming {
         true
     }
 
-    /// Learns from a round trip that began at `sent_us` and ended at `now` (us).
+    /// Learns from a round trip from `sent_us` to `now` (us).
     pub(super) fn learn(&mut self, sent_us: u64, board_us: u32, now: u64) {
         self.round_trips.push(now.saturating_sub(sent_us));
         match self.clock.learn(sent_us, board_us, now) {
@@ -72,20 +67,19 @@ impl BoardTiming {
         }
     }
 
-    /// Keeps the rate and forgets the time, for a board that has started anew.
+    /// Keeps the rate and forgets the time, for a board that has restarted.
     pub(super) fn on_start(&mut self) {
         self.clock = self.clock.set_anew();
         self.n_pings = 0;
     }
 
-    /// Forgets the clock, for a board that was refused for it and has started anew.
+    /// Forgets the clock, for a board that was rejected for it and has restarted.
     pub(super) fn forget(&mut self) {
         self.clock = ClockModel::default();
         self.n_pings = 0;
     }
 }
 
-/// Returns whole millionths, as near as possible.
 #[expect(clippy::cast_possible_truncation, reason = "saturates")]
 const fn millionths(ppm: f64) -> i32 {
     ppm.round() as i32

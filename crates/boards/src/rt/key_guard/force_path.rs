@@ -1,31 +1,31 @@
-//! What is sent of the force that a key's model wants.
+//! Path of a key's force from its model to the board.
 //!
 //! ```text
 //! wanted ── share (mute, soften) ── offset after a gap ── limit of the rise ──▶ sent
 //! ```
 //!
-//! A force may always fall to zero. After a gap it continues from the last one that was sent, and
-//! the difference decays: whatever the model did meanwhile, the finger feels no step.
+//! A force may always fall to zero. After a gap it continues from the last one that was sent and
+//! the difference decays, so the finger feels no step.
 
-/// Time in which a share is taken away or given back (s).
+/// Time in which a share fades out or in (s).
 const FADE: f64 = 0.02;
 
 /// Time in which the difference after a gap decays (s).
 const BLEND: f64 = 5e-3;
 
-/// A difference that nobody feels (N).
+/// Largest difference that cannot be felt (N).
 const LEAST_OFFSET: f64 = 0.02;
 
-/// Fastest rise of a force (N/s): a hammer's key that is struck at its loudest stays below.
+/// Fastest rise of a force (N/s): the key of the loudest strike stays below.
 const FASTEST_RISE: f64 = 12e3;
 
-/// The way of one key's force.
+/// Path of one key's force.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ForcePath {
     sent: f64,
     offset: f64,
     share: f64,
-    /// Times that a force was not allowed to rise as it should, and that one was led over.
+    /// Number of limited rises, and of gaps that were blended over.
     pub(super) limited: u64,
     pub(super) blended: u64,
 }
@@ -37,19 +37,19 @@ impl Default for ForcePath {
 }
 
 impl ForcePath {
-    /// Begins again without force, which then grows.
+    /// Restarts without force, which then grows.
     pub(super) const fn restart(&mut self) {
         (self.sent, self.offset, self.share) = (0.0, 0.0, 0.0);
     }
 
-    /// Lets the next force continue from the last one that was sent.
+    /// Continues the next force from the last one that was sent.
     pub(super) const fn lead_over(&mut self, wanted: f64) {
         self.offset = self.sent - self.share * wanted;
         self.blended += 1;
     }
 
-    /// Returns the force to send (N) `elapsed` (s) after the one before, if `wanted` (N) is, and
-    /// the share `most` of it (0 to 1) may be rendered.
+    /// Returns the force to send (N), `elapsed` (s) after the one before, for `wanted` (N) and the
+    /// permitted share `most` (0 to 1).
     pub(super) fn next(&mut self, wanted: f64, most: f64, elapsed: f64) -> f64 {
         let step = elapsed / FADE;
         self.share += (most - self.share).clamp(-step, step);
@@ -58,7 +58,7 @@ impl ForcePath {
             self.offset = 0.0;
         }
         let force = self.share * wanted + self.offset;
-        // From zero on, if it changes its sign.
+        // From zero, if it changes its sign.
         let before = if 0.0 < self.sent * force { self.sent.abs() } else { 0.0 };
         let highest = before + FASTEST_RISE * elapsed;
         self.limited += u64::from(highest < force.abs());
@@ -66,7 +66,7 @@ impl ForcePath {
         self.sent
     }
 
-    /// Tells whether the force is the one that the model wants.
+    /// Returns `true` if the force is the model's.
     pub(super) fn is_whole(&self) -> bool {
         self.offset == 0.0 && 1.0 <= self.share
     }

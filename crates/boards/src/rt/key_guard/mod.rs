@@ -1,13 +1,13 @@
-//! What stands between one key's model and its motor: nothing is believed twice.
+//! Guards between one key's model and its motor; each check is independent of the others.
 //!
-//! | file | what it looks at |
+//! | module | check |
 //! |---|---|
 //! | [`trend`] | readings that no key can have made |
-//! | [`proof`] | whether the motor moves its key, before a model uses it |
-//! | [`response`] | the same while it is played |
-//! | [`shake`] | forces that go to and fro |
-//! | [`place`] | where it stands still |
-//! | [`force_path`] | how fast forces change, and how they continue after a gap |
+//! | [`proof`] | response of the motor before a model uses it |
+//! | [`response`] | response of the motor during play |
+//! | [`shake`] | oscillating forces |
+//! | [`place`] | position of a key that stands still |
+//! | [`force_path`] | rate of change of forces, and their continuation after a gap |
 //!
 //! Only keys on boards have a guard; simulated keys of the same process need none.
 
@@ -67,14 +67,14 @@ impl KeyGuard {
         self.path.restart();
     }
 
-    /// Forgets what was found, for a board that has started again.
+    /// Forgets all findings, for a board that has restarted.
     pub(super) fn unmute(&mut self) {
         *self = Self { glitches: self.glitches, ..Self::default() };
         self.demand_proof();
     }
 
-    /// Takes a reading at `position` (m), `elapsed` (s) after the one before if it follows on that;
-    /// returns whether it may be used.
+    /// Checks a reading at `position` (m), `elapsed` (s) after the one before if it follows that.
+    /// Returns `true` if it may be used.
     pub(super) fn accept(
         &mut self,
         position: f64,
@@ -96,10 +96,11 @@ impl KeyGuard {
         }
     }
 
-    /// Returns the force to send (N, up positive) where the model wants `wanted` for a key that was
-    /// read at `position` (m), `elapsed` (s) after the last one; at most the share `most` of it.
+    /// Returns the force to send (N, up positive) for the model's `wanted` on a key at `position`
+    /// (m), `elapsed` (s) after the last one, with at most the share `most`.
     ///
     /// # Real-time
+    /// Some fifty operations.
     /// Some fifty operations.
     pub(super) fn force(
         &mut self,
@@ -124,7 +125,7 @@ impl KeyGuard {
         force
     }
 
-    /// Returns what to add to `wanted` (N) to learn whether the motor still moves its key.
+    /// Returns the test force to add to `wanted` (N) to check if the motor still moves its key.
     fn ask(
         &mut self,
         (position, elapsed): (f64, f64),
@@ -144,7 +145,7 @@ impl KeyGuard {
         question
     }
 
-    /// The force on a key that is not played: that of its proof, or what fades.
+    /// Returns the force on a key that is not played: that of its proof, or the fading one.
     fn unplayed(&mut self, wanted: f64, most: f64, position: f64, elapsed: f64) -> f64 {
         if self.fault.is_some() || most <= 0.0 {
             return self.path.next(wanted, 0.0, elapsed);
@@ -159,49 +160,46 @@ impl KeyGuard {
         push
     }
 
-    /// Lets the next force continue from the last one, since there was a gap between them.
+    /// Continues the next force from the last one after a gap.
     pub(super) fn lead_over(&mut self, wanted: f64) {
         if self.proof.is_proven() {
             self.path.lead_over(wanted);
         }
     }
 
-    /// Plays the key no more, for the first fault that is found.
+    /// Mutes the key; the first fault counts.
     pub(super) fn mute(&mut self, fault: KeyFault) {
         self.fault.get_or_insert(fault);
     }
 
-    /// Tells whether the force is what the model wants, so that slopes may go with it.
+    /// Returns `true` if the force is the model's, so that slopes may accompany it.
     pub(super) fn is_whole(&self) -> bool {
         self.fault.is_none() && self.proof.is_proven() && self.path.is_whole()
     }
 
-    /// Returns what the key was muted for.
     pub(super) const fn fault(&self) -> Option<KeyFault> {
         self.fault
     }
 
-    /// Tells whether the proof of its motor is neither passed nor failed.
+    /// Returns `true` if the proof of its motor is neither passed nor failed.
     pub(super) fn is_unproven(&self) -> bool {
         self.fault.is_none() && !self.proof.is_proven()
     }
 
-    /// Tells whether the proof waits for the key to rest.
     pub(super) fn waits_for_rest(&self) -> bool {
         self.is_unproven() && self.proof.is_waiting()
     }
 
-    /// Tells whether its force is halved since it shook.
     pub(super) const fn is_softened(&self) -> bool {
         self.is_softened
     }
 
-    /// Tells whether a key that goes down by `travel` (m) stands still away from its ends.
+    /// Returns `true` if a key with this `travel` (m) stands still away from its ends.
     pub(super) fn is_misplaced(&self, travel: f64) -> bool {
         self.fault.is_none() && self.place.is_misplaced(travel)
     }
 
-    /// Returns readings left out, ticks with a limited rise, and gaps that were led over.
+    /// Returns discarded readings, ticks with a limited rise, and blended gaps.
     pub(super) const fn counts(&self) -> [u64; 3] {
         [self.glitches, self.path.limited, self.path.blended]
     }

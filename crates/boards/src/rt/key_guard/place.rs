@@ -1,16 +1,15 @@
-//! A key that stands still at neither of its ends.
+//! Detects a key that stands still away from its ends.
 //!
-//! A hand can hold a key anywhere, so nothing follows but a word: counts may have been lost while
-//! nobody looked, or the board was started with the key down.
+//! A hand can hold a key anywhere, so the only consequence is a report: counts may have been lost
+//! undetected, or the board was started with the key down.
 
-/// How still a key stands (m), and for how long (s).
+/// Tremor (m) and duration (s) of standing still.
 const STILLNESS: f64 = 5e-6;
 const LONG: f64 = 3.0;
 
-/// How far from its rest or its bottom it is then (m); felts give way to a finger.
+/// Minimum distance from rest and bottom (m), since felts give way to a finger.
 const AWAY: f64 = 0.7e-3;
 
-/// Where a key stands.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PlaceWatch {
     place: f64,
@@ -18,7 +17,7 @@ pub(super) struct PlaceWatch {
 }
 
 impl PlaceWatch {
-    /// Takes where the key is (m), `elapsed` (s) after the last call.
+    /// Adds a position (m), `elapsed` (s) after the last call.
     pub(super) fn take(&mut self, position: f64, elapsed: f64) {
         if (position - self.place).abs() <= STILLNESS {
             self.still += elapsed;
@@ -27,7 +26,7 @@ impl PlaceWatch {
         }
     }
 
-    /// Tells whether a key that goes down by `travel` (m) stands elsewhere than it should.
+    /// Returns `true` if a key with this `travel` (m) stands away from its ends.
     pub(super) fn is_misplaced(&self, travel: f64) -> bool {
         let nearest = self.place.abs().min((travel - self.place).abs());
         0.0 < travel && LONG <= self.still && AWAY < nearest

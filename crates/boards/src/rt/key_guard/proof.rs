@@ -1,4 +1,4 @@
-//! The proof that a motor moves its key, and to the right side, before any model may use it.
+//! Proof that a motor moves its key in the correct direction, before any model may use it.
 //!
 //! ```text
 //! Resting ─ still at its rest ─▶ Pushing down ─ moves down ─▶ Returning ─ is back ─▶ proven
@@ -8,43 +8,41 @@
 //!    └── it did not return: a hand     │ nothing moves ─▶ Unmoved
 //! ```
 //!
-//! Two motions must agree, also in the push that began them: a finger that taps meanwhile proves
-//! nothing.
+//! Two motions must agree, and so must their pushes, so that a tapping finger proves nothing.
 //!
-//! A push grows by 0.1 N in 20 ms, so a key that is free starts gently and is let go after 0.3 mm.
-//! A key that is pressed or moves is not pushed: it gets at most 1 N of what its model wants, held,
-//! while it moves, until it has come to rest.
+//! A push grows by 0.1 N in 20 ms, so a free key starts gently and is released after 0.3 mm.
+//! A key that is pressed or moves is not pushed: while it moves, it gets at most 1 N of its model's
+//! force, held, until it has come to rest.
 
 use super::super::key_fault::KeyFault;
 
-/// How fast a push grows (N/s), and how far (N).
+/// Growth of a push (N/s), and its limit (N).
 const GROWTH: f64 = 5.0;
 const MOST: f64 = 1.5;
 
-/// How far a key must move (m).
+/// Path that counts as a motion (m).
 const WAY: f64 = 0.3e-3;
 
-/// Speed beyond which a hand has moved the key, and not the push (m/s).
+/// Speed above which a hand has moved the key, not the push (m/s).
 const SLOW: f64 = 0.08;
 
-/// How near its beginning a key must return (m), and within what time (s).
+/// Distance from its start to which a key must return (m), and time limit (s).
 const BACK: f64 = 0.15e-3;
 const RETURN: f64 = 0.15;
 
-/// Where a key is at rest (m), how still (m), and for how long before it is pushed (s).
+/// Largest distance from rest (m), tremor (m), and duration before a push (s).
 const REST: f64 = 1e-3;
 const STILLNESS: f64 = 30e-6;
 const STILL: f64 = 0.05;
 
-/// What a key may get that was not proven (N), and for how long where it stands still (s): a motor
-/// with exchanged wires would hold its key down.
+/// Largest force without proof (N), and its duration on a key that stands still (s): a motor with
+/// swapped wires would hold its key down.
 const UNPROVEN: f64 = 1.0;
 const HELD: f64 = 0.3;
 
-/// By how much the pushes may differ that begin two motions which agree (N).
+/// Largest difference of the pushes of two agreeing motions (N).
 const ALIKE: f64 = 0.2;
 
-/// Which way a motor pushes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Push {
     Down,
@@ -52,7 +50,7 @@ enum Push {
 }
 
 impl Push {
-    /// Returns the force (N, up positive) of a push this way.
+    /// Returns the force (N, up positive) of a push in this direction.
     const fn force(self, strength: f64) -> f64 {
         match self {
             Self::Down => -strength,
@@ -61,7 +59,6 @@ impl Push {
     }
 }
 
-/// What a motion shows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum MotionSign {
     Right,
@@ -76,7 +73,6 @@ struct ProofMotion {
 }
 
 impl ProofMotion {
-    /// Tells whether another motion shows the same.
     fn agrees_with(&self, other: &Self) -> bool {
         self.shown == other.shown && (self.strength - other.strength).abs() <= ALIKE
     }
@@ -89,13 +85,13 @@ enum ProofStage {
         place: f64,
         still: f64,
     },
-    /// It is pushed from `place` (m) with so much (N).
+    /// It is pushed from `place` (m) with this force (N).
     Pushing {
         place: f64,
         push: Push,
         strength: f64,
     },
-    /// It was let go so long ago (s) and shall return to `place` (m).
+    /// It was released so long ago (s) and must return to `place` (m).
     Returning {
         place: f64,
         motion: ProofMotion,
@@ -105,20 +101,19 @@ enum ProofStage {
     Failed(KeyFault),
 }
 
-/// How far the proof of one motor has come.
+/// Progress of the proof of one motor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MotorProof {
     stage: ProofStage,
-    /// The motion that the next one must agree with.
+    /// Motion that the next one must agree with.
     before: Option<ProofMotion>,
-    /// The key stood still under its force, and gets none until it has come to rest.
+    /// `true` if the key stood still under its force; it gets none until it has come to rest.
     is_limp: bool,
-    /// Where the key was at the last call (m).
+    /// Position at the last call (m).
     position: f64,
 }
 
 impl MotorProof {
-    /// The motor is taken as proven.
     pub(super) const PROVEN: Self =
         Self { stage: ProofStage::Proven, before: None, is_limp: false, position: 0.0 };
 
@@ -132,17 +127,15 @@ impl MotorProof {
         }
     }
 
-    /// Tells whether the motor may be used.
     pub(super) fn is_proven(&self) -> bool {
         self.stage == ProofStage::Proven
     }
 
-    /// Tells whether the key has not been tried, since it did not rest.
+    /// Returns `true` if the key was not pushed because it did not rest.
     pub(super) fn is_waiting(&self) -> bool {
         matches!(self.stage, ProofStage::Resting { .. })
     }
 
-    /// Returns what the proof has found wrong.
     pub(super) const fn fault(&self) -> Option<KeyFault> {
         match self.stage {
             ProofStage::Failed(fault) => Some(fault),
@@ -154,7 +147,7 @@ impl MotorProof {
     }
 
     /// Continues with the key at `position` (m), `elapsed` (s) after the last call; returns the
-    /// force to send (N, up positive) where the model wants `wanted`.
+    /// force to send (N, up positive) for the model's `wanted`.
     ///
     /// # Real-time
     /// Some ten operations.
@@ -193,7 +186,7 @@ impl MotorProof {
                 if (position - place).abs() <= BACK {
                     self.conclude(motion);
                 } else if RETURN < since {
-                    // A hand holds it, and may have moved it.
+                    // A hand holds the key, and may have moved it.
                     self.rest();
                 } else {
                     self.stage = ProofStage::Returning { place, motion, since: since + elapsed };
@@ -205,7 +198,7 @@ impl MotorProof {
         }
     }
 
-    /// Pushes a key at `position` that was at `place` (m) with `strength` (N) until it moves.
+    /// Pushes a key with `strength` (N), from `place` and now at `position` (m), until it moves.
     fn push(&mut self, (place, position): (f64, f64), push: Push, strength: f64) -> f64 {
         let shown = match (push, position - place) {
             (Push::Down, way) if WAY <= way => Some(MotionSign::Right),

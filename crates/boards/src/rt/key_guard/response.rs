@@ -1,55 +1,54 @@
-//! Whether a key that is held still follows its motor.
+//! Checks if a held key still follows its motor.
 //!
-//! A hand that holds a key explains any place, so its motor is asked: where a pressed key stands
-//! still, the force grows by up to 1.5 N in 20 ms, until the key has moved. A key that moves up, be it
-//! by some micrometres into its felt, follows its motor, and is left in peace for five seconds. One
-//! that moves down each time has a motor whose wires are exchanged. One that does not move any more
-//! has a dead motor, or an amplifier that pushes by itself: that counts only for a key that moved
-//! before, since an encoder may be too coarse to see it.
+//! A hand that holds a key explains any position, so a test force checks its motor: on a pressed
+//! key that stands still, the force grows by up to 1.5 N in 20 ms, until the key has moved. A key
+//! that moves up, even by some micrometres into its felt, passes and is not tested for 5 s. One
+//! that moves down each time has a motor with swapped wires. One that no longer moves has a dead
+//! motor, or an amplifier that pushes by itself: that counts only for a key that moved before,
+//! since an encoder may be too coarse to show it.
 
 use super::super::key_fault::KeyFault;
 
-/// How still a key stands (m), for how long (s), and how deep it is pressed (m).
+/// Tremor (m) and duration (s) of standing still, and minimum depth of a pressed key (m).
 const STILLNESS: f64 = 20e-6;
 const STILL: f64 = 0.05;
 const PRESSED: f64 = 0.4e-3;
 
-/// How fast the question grows (N/s), how far (N), and how long it lasts (s).
+/// Growth (N/s), limit (N) and duration (s) of the test force.
 const GROWTH: f64 = 75.0;
 const MOST: f64 = 1.5;
 const LENGTH: f64 = 0.03;
 
-/// How much the wanted force may change meanwhile (N): a hand that moves explains everything.
+/// Largest change of the wanted force meanwhile (N), since a moving hand explains any motion.
 const STEADY: f64 = 1.0;
 
-/// Motion that an answer shows at least (m), beside two counts and the tremor before.
+/// Minimum motion of a response (m), beside two counts and the earlier tremor.
 const LEAST_MOTION: f64 = 3e-6;
 
-/// When a motor that has answered is asked again, and one of which nothing was learned (s).
+/// Pauses after a response and after an unclear test (s).
 const AGAIN: f64 = 5.0;
 const SOON: f64 = 0.2;
 
-/// Answers that must agree.
+/// Number of agreeing tests.
 const CONFIRMATIONS: u8 = 3;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum ResponseStage {
-    /// The key has stood at `place` (m), but for a `tremor` (m), for so long (s).
+    /// The key has been at `place` (m), within `tremor` (m), for so long (s).
     Watching { place: f64, tremor: f64, still: f64 },
-    /// It is asked since so long (s), where the model wanted `wanted` (N) at `place` (m), and shows
-    /// an answer by moving `least` (m).
+    /// It is tested since so long (s) with the model's `wanted` (N) at `place` (m); a motion by
+    /// `least` (m) is a response.
     Asking { place: f64, least: f64, wanted: f64, since: f64 },
 }
 
-/// The look at one key's motor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MotorResponse {
     stage: ResponseStage,
-    /// Time until it is asked again (s).
+    /// Time until the next test (s).
     rest: f64,
-    /// The key has moved up once when it was asked.
+    /// `true` if the key has moved up once in a test.
     has_answered: bool,
-    /// Times that it moved down, and that it did not move.
+    /// Tests with a downward motion, and without a motion.
     n_wrong: u8,
     n_still: u8,
 }
@@ -62,10 +61,11 @@ impl Default for MotorResponse {
 }
 
 impl MotorResponse {
-    /// Continues with the key at `position` (m), whose count is `quantum`, `elapsed` (s) after the
-    /// last call; returns what to add to `wanted` (N, up positive), and what is found.
+    /// Continues with the key at `position` (m) with a count of `quantum`, `elapsed` (s) after the
+    /// last call; returns the force to add to `wanted` (N, up positive), and the finding.
     ///
     /// # Real-time
+    /// Some ten operations.
     /// Some ten operations.
     pub(super) fn step(
         &mut self,
@@ -96,12 +96,12 @@ impl MotorResponse {
         }
     }
 
-    /// Does not ask, since what is wanted is not rendered whole.
+    /// Skips the test, since the model's force is not rendered whole.
     pub(super) fn pause(&mut self) {
         self.stage = ResponseStage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
     }
 
-    /// Looks whether the key, which has stood at a place for a while, may be asked.
+    /// Starts a test if the key has stood still for long enough.
     fn watch(
         &mut self,
         (position, quantum): (f64, f64),
@@ -119,8 +119,8 @@ impl MotorResponse {
         };
     }
 
-    /// Judges a motion of `way` (m, down positive): one of `least` is an answer, less than a third of
-    /// that is none, and between the two nothing is known.
+    /// Judges a motion of `way` (m, down positive): one of `least` is a response, less than a third
+    /// of that is none, and the range between is unclear.
     fn judge(&mut self, way: f64, least: f64) -> Option<KeyFault> {
         if way <= -least {
             (self.n_wrong, self.n_still, self.has_answered) = (0, 0, true);

@@ -1,37 +1,38 @@
-//! A force that goes to and fro many times in a twentieth of a second is no action's, whatever the
-//! model is: the loop of host, board and key has become unstable.
+//! Detects an unstable loop of host, board and key: no action oscillates its force many times in
+//! 50 ms, whatever the model.
 //!
 //! A hard stroke rebounds from the bed with up to six half-waves; eleven are too many, and fewer if
-//! they are large. Each counts by its peak, or by that of the half-wave before if that was smaller.
+//! they are large. Each counts by the smaller of its peak and that of the half-wave before.
 
-/// Least force that belongs to a half-wave (N).
+/// Least force of a half-wave (N).
 const LEAST: f64 = 1.0;
 
-/// What half-waves may add up to (N): the hardest stroke on an upright makes 25 N.
+/// Limit of the sum of half-waves (N): the hardest stroke on an upright makes 25 N.
 const MOST: f64 = 35.0;
 
-/// The time within which they count (s).
+/// Time span of the sum (s).
 const WINDOW: f64 = 0.05;
 
-/// Half-waves that are remembered, and that are too many.
+/// Number of half-waves that are stored, and too many.
 const N: usize = 11;
 
-/// The half-waves of one force of late.
+/// Recent half-waves of one force.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ShakeWatch {
-    /// What each counts (N), and how long ago it ended (s), the newest first.
+    /// Counted peak of each (N), and time since its end (s), the newest first.
     waves: [(f64, f64); N],
-    /// Peaks of the half-wave that goes on and of the one before (N), and which way it goes.
+    /// Peaks of the present half-wave and of the one before (N), and the present sign.
     peak: f64,
     before: f64,
     is_up: bool,
 }
 
 impl ShakeWatch {
-    /// Takes `force` (N), `elapsed` (s) after the one before, the share of what the model wants;
-    /// returns whether it shakes, and begins again if it does.
+    /// Adds `force` (N), `elapsed` (s) after the one before, rendered with this share. Returns
+    /// `true` if it shakes, and restarts then.
     ///
     /// # Real-time
+    /// Ten additions.
     /// Ten additions.
     pub(super) fn is_shaking(&mut self, force: f64, elapsed: f64, share: f64) -> bool {
         self.waves.iter_mut().for_each(|(_, age)| *age += elapsed);

@@ -1,56 +1,55 @@
-//! One reading that leaves a key's trend and returns to it is no motion of the key.
+//! Detects glitches: one reading that leaves a key's trend and returns to it is no motion.
 //!
-//! A reading that leaves the trend is not used until the next one shows what it was:
+//! A reading that leaves the trend is not used until the next one explains it:
 //!
-//! | the next reading | what it was | what follows |
+//! | next reading | explanation | consequence |
 //! |---|---|---|
 //! | is back on the trend | a glitch: a spike on the encoder's lines, a damaged count | it is counted |
-//! | continues at the old speed, but beside | counts were lost, or a coupling slipped | the key is muted |
+//! | continues at the old speed, with an offset | counts were lost, or a coupling slipped | the key is muted |
 //! | continues from there | the key was struck or landed | both are used |
 //!
-//! So a glitch costs no force, and a hard stroke is seen one sample later. A key that is stopped by
-//! its rest or its bottom is no glitch: there, whatever slows it down is used at once.
+//! So a glitch costs no force, and a hard stroke is detected one sample later. A key that is
+//! stopped by its rest or its bottom is no glitch: there, a slower reading is used at once.
 
-/// Acceleration that a finger and a motor together hardly exceed, and beyond which a reading waits
-/// for the next one (m/s²).
+/// Acceleration that finger and motor together hardly exceed (m/s²); beyond it a reading waits for
+/// the next one.
 const MOST_ACCELERATION: f64 = 150.0;
 
 /// Room before rest and bottom in which a key is stopped (m).
 const STOP: f64 = 0.4e-3;
 
-/// Least way by which readings slip (m); a stroke that is shorter is one.
+/// Minimum path of a slip (m); a shorter one is a stroke.
 const LEAST_SLIP: f64 = 0.25e-3;
 
-/// Largest part of a slip by which the key has moved meanwhile.
+/// Largest fraction of a slip by which the key has moved meanwhile.
 const SLIP_MOTION: f64 = 0.25;
 
-/// What a reading is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum TrendVerdict {
-    /// It follows on those before.
+    /// It follows the trend.
     Follows,
-    /// It leaves the trend: the next one will show what it is.
+    /// It leaves the trend, and the next one will explain it.
     Leaves,
-    /// It is back: the one before was a glitch.
+    /// It is back, so the one before was a glitch.
     Returns,
-    /// It and the one before lie beside the trend.
+    /// It and the one before are beside the trend.
     Slipped,
 }
 
 /// A key's line through its newest readings.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct KeyTrend {
-    /// The newest reading on the trend (m), how fast it moves (m/s), and how many there are.
+    /// Newest reading on the trend (m), speed (m/s), and number of readings.
     position: f64,
     speed: f64,
     n: u8,
-    /// A reading (m) that has left the trend, and how long after it (s).
+    /// A reading (m) that has left the trend, and its delay (s).
     left: Option<(f64, f64)>,
 }
 
 impl KeyTrend {
-    /// Takes a reading at `position` (m), `elapsed` (s) after the one before if it follows on that;
-    /// a count is `quantum`, and the key goes down by `travel` (m; 0 if that is not known).
+    /// Judges a reading at `position` (m), `elapsed` (s) after the one before if it follows that;
+    /// a count is `quantum`, and the key goes down by `travel` (m; 0 if unknown).
     ///
     /// # Real-time
     /// Some ten operations.
@@ -69,7 +68,7 @@ impl KeyTrend {
             let away = position - (self.position + self.speed * elapsed);
             let most = most(elapsed);
             let is_known = 2 <= self.n;
-            // What stops a key turns its speed round at most.
+            // A stop reverses the speed at most.
             let way = 2.0 * self.speed.abs() * elapsed + most;
             let is_stopped = away.abs() <= way && self.is_stopped(away, position, travel);
             if is_known && most < away.abs() && !is_stopped {
@@ -92,7 +91,7 @@ impl KeyTrend {
         if is_slip { TrendVerdict::Slipped } else { TrendVerdict::Follows }
     }
 
-    /// Tells whether what takes the key `away` (m) from its trend is its rest or its bottom.
+    /// Returns `true` if rest or bottom explain that the key is `away` (m) from its trend.
     fn is_stopped(&self, away: f64, position: f64, travel: f64) -> bool {
         let is_at_an_end = position < STOP || 0.0 < travel && travel - STOP < position;
         is_at_an_end && away * self.speed < 0.0

@@ -1,40 +1,38 @@
-//! What time it is on the bus, as a board knows it: the age of forces that are for all.
+//! Bus time as a board knows it, for the age of multicast forces.
 
 use firmware_protocol::frame::multicast_forces::GROUPS;
 use firmware_protocol::sequence::{FrameOrder, SequenceNumber};
 
 use crate::clock::low;
 
-/// After this long without bus time nothing is known of it (us).
+/// Time without bus time after which it counts as unknown (us).
 const FORGET_US: u64 = 1_000_000;
 
-/// Ages beyond this cannot be told from the future: half of what 16 bits hold (us).
+/// Largest age that can be distinguished from the future: half of what 16 bits hold (us).
 const OLDEST_US: u16 = 32_000;
 
-/// Silence after which any frame is news (us).
+/// Silence after which any frame is new (us).
 const SILENCE_US: u64 = 60_000;
 
-/// Bus time as a board knows it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BusTime {
-    /// Own time minus bus time, low bits (us), and when it was heard (us).
+    /// Own time minus bus time, low bits (us), and time of its reception (us).
     offset: Option<(u32, u64)>,
-    /// The newest frame of each group, and when it came (us).
+    /// Newest frame of each group, and time of its reception (us).
     newest: [Option<(SequenceNumber, u64)>; GROUPS],
 }
 
 impl BusTime {
-    /// Hears that the bus's clock shows `host_us`.
+    /// Receives the bus time `host_us`.
     pub(super) const fn hear(&mut self, now_us: u64, host_us: u32) {
         self.offset = Some((low(now_us).wrapping_sub(host_us), now_us));
     }
 
-    /// Returns how long ago the bus's clock showed a time with these low bits (us); none if that
-    /// cannot be told.
+    /// Returns the age of a bus time with these low bits (us); `None` if it is unknown.
     pub(super) fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<u64> {
         let (offset, heard_us) = self.offset?;
         let [a, b, ..] = low(now_us).wrapping_sub(offset).to_le_bytes();
-        // A frame may overtake the time by a little; that is no age.
+        // A frame may overtake the bus time by a little; its age is 0.
         let age = u16::from_le_bytes([a, b]).wrapping_sub(stamp_us);
         let is_known = now_us.saturating_sub(heard_us) < FORGET_US;
         let is_ahead = u16::MAX - 5_000 < age;
@@ -45,7 +43,7 @@ impl BusTime {
         }
     }
 
-    /// Tells whether a frame of `group` is newer than all before.
+    /// Returns `true` if a frame of `group` is newer than all before.
     pub(super) fn accept(&mut self, group: u8, sequence: SequenceNumber, now_us: u64) -> bool {
         let Some(newest) = self.newest.get_mut(usize::from(group)) else { return false };
         let is_newer = newest.is_none_or(|(before, at)| {

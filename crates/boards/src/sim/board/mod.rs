@@ -1,9 +1,9 @@
-//! A simulated board: its keys behind one link, complete as a real one.
+//! A simulated board: its keys behind one link, as complete as a real one.
 //!
-//! It lives in ticks of its own, at each of which its motors' forces are worked out; every so
-//! many it sends samples. It answers requests (`requests`), takes forces only when it
-//! is armed (`force_interlock.rs`) and only as answers to what it has just sent (`history.rs`) or with a
-//! time of the bus (`multicast.rs`).
+//! It has its own ticks, in each of which it computes its motors' forces; at every n-th it sends
+//! samples. It answers requests (`requests`), and accepts forces only when it is armed
+//! (`force_interlock`), as answers to recent samples (`sample_history`) or with a time of the bus
+//! (`multicast`).
 
 mod bus_time;
 mod multicast;
@@ -35,7 +35,6 @@ use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 use crate::clock::low;
 
-/// What a simulated board can.
 const FEATURES: u16 = feature::SLOPES
     | feature::MULTICAST
     | feature::VELOCITY
@@ -43,64 +42,61 @@ const FEATURES: u16 = feature::SLOPES
     | feature::LOG
     | feature::HEALTH;
 
-/// Frames taken from the link in one call; the rest waits for the next.
+/// Frames to read from the link in one call; the rest waits for the next.
 const MAX_FRAMES: usize = 64;
 
-/// What a board has counted.
+/// Counts of a board.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct BoardCounts {
-    /// Frames of samples that the link took.
+    /// Sample frames that the link accepted.
     pub samples: u64,
-    /// Sample frames that the link did not take.
+    /// Sample frames that the link rejected.
     pub unsent: u64,
-    /// Frames of forces that were rendered.
     pub forces: u64,
-    /// What came and was no frame.
+    /// Receptions that were no frame.
     pub corrupt: u64,
-    /// Whole frames that were not for this board, or not to be understood.
+    /// Whole frames that were invalid or meant for others.
     pub refused: u64,
-    /// Forces that answered nothing recent.
+    /// Forces that answered no recent samples.
     pub stale: u64,
-    /// Forces that came while it was not armed.
+    /// Forces that arrived while it was not armed.
     pub unarmed: u64,
-    /// Samples that were passed over by the forces that came.
+    /// Samples that the arriving forces skipped.
     pub unanswered: u64,
-    /// Times that forces expired.
+    /// Expirations of forces.
     pub trips: u64,
-    /// Times that it was armed.
     pub armings: u64,
-    /// Oldest samples that forces which were rendered answered (us).
+    /// Age of the oldest samples behind a rendered force (us).
     pub oldest_us: u64,
 }
 
-/// What a simulated board is.
+/// Description of a simulated board.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BoardMake {
-    /// Its number on its link.
+    /// Number on its link.
     pub id: BoardId,
     pub first_key: u8,
-    /// Its keys, `1 ..= 12`.
+    /// Number of its keys, `1 ..= 12`.
     pub n_keys: usize,
-    /// Its tick (s): how often it works out its motors' forces.
+    /// Its tick (s), in which it computes its motors' forces.
     pub period: f64,
-    /// What its keys are made of.
+    /// Parameters of its keys.
     pub rig: RigParameters,
-    /// What its encoders read when keys are at rest (counts).
+    /// Reading of its encoders for keys at rest (counts).
     pub offset: i32,
-    /// Force of its motors for a newton that is asked for (1).
+    /// Force of its motors per requested newton (1).
     pub strength: f64,
-    /// What it says of itself that is not true.
     pub fake_identity: FakeIdentity,
 }
 
-/// What a board says of itself that is not true; by default nothing.
+/// Untrue statements of a board about itself; by default none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FakeIdentity {
     /// Another major version of the protocol.
     pub major: Option<u8>,
     /// Another hash of the cyclic layouts.
     pub schema: Option<u64>,
-    /// Other keys: the first, and how many.
+    /// Other keys: the first, and their number.
     pub keys: Option<(u8, u8)>,
     pub uid: Option<[u8; 6]>,
 }
@@ -114,7 +110,7 @@ impl BoardMake {
         Self { id, first_key, n_keys, period, rig, offset, strength, fake_identity }
     }
 
-    /// Returns who the board is: the same for the same number and keys.
+    /// Returns the unique id, equal for the same number and keys.
     pub const fn uid(&self) -> [u8; 6] {
         [b'S', b'I', b'M', self.id.number(), self.first_key, 0]
     }
@@ -130,24 +126,24 @@ pub struct SimulatedBoard {
     requests: BoardRequestHandler,
     pub(super) samples: SampleLayout,
     pub(super) forces: ForceLayout,
-    /// Ticks between two frames of samples, and how many are left; none for no samples.
+    /// Ticks between two sample frames, and ticks left; `None` for no samples.
     every: Option<(u32, u32)>,
     counts: BoardCounts,
     rendered: RenderedForces,
     bus_time: BusTime,
     history: SampleHistory,
-    /// How much its clock was set back (us).
+    /// Amount by which its clock was set back (us).
     late_us: u64,
-    /// The tick at whose start the newest samples were sent.
+    /// Tick at whose start the newest samples were sent.
     reported: Option<u64>,
 }
 
-/// Forces that a board renders until newer ones come; none of it outlasts a new arming.
+/// Forces that a board renders until newer ones arrive; a new arming clears them.
 #[derive(Clone, Debug)]
 struct RenderedForces {
     laws: PerKey<Law>,
     groups: Groups,
-    /// Which frame of samples was answered last.
+    /// Number of the last answered sample frame.
     answered: Option<u64>,
 }
 
@@ -159,10 +155,10 @@ impl RenderedForces {
 }
 
 impl SimulatedBoard {
-    /// Returns a board that was just switched on: it sends nothing and renders nothing.
+    /// Returns a board after power-on: it sends no samples and renders no force.
     ///
     /// # Errors
-    /// Refuses a period that is not above 0 and up to 1 s, and more keys than a board has.
+    /// If the period is not above 0 and up to 1 s, or it has too many keys.
     pub fn new(make: BoardMake) -> Result<Self, Error> {
         let keys = usize::from(make.first_key)..usize::from(make.first_key) + make.n_keys;
         if make.n_keys == 0 || MOST_KEYS < make.n_keys || key::KEYS < keys.end {
@@ -186,17 +182,17 @@ impl SimulatedBoard {
         })
     }
 
-    /// Returns the board as it is after its power was gone, with the settings that it keeps.
+    /// Returns the board after a power cycle, with the settings that it keeps.
     ///
     /// # Errors
-    /// As [`Self::new`], if its keys would go beyond the 88.
+    /// As [`Self::new`], if its keys would exceed the 88.
     pub fn restarted(&self) -> Result<Self, Error> {
         let mut anew = Self::new(self.requests.next_make(self.make))?;
         anew.requests.keep_settings(&self.requests);
         Ok(anew)
     }
 
-    /// Returns the same as if a host had asked for samples in every tick and armed it.
+    /// Returns the board as if a host had armed it, with samples in every tick.
     #[must_use]
     pub const fn armed(mut self) -> Self {
         self.every = Some((1, 1));
@@ -204,32 +200,30 @@ impl SimulatedBoard {
         self
     }
 
-    /// Plays `gestures` on the key in `slot` from now on instead of those before.
+    /// Replaces the gestures of the key in `slot`.
     pub fn play(&mut self, slot: usize, gestures: Vec<Gesture>) {
         if let Some(key) = self.keys.get_mut(slot) {
             key.play(gestures);
         }
     }
 
-    /// Plays the gestures of its keys again and again, each pass `length` (s) after the one before.
+    /// Repeats the gestures of its keys with the period `length` (s).
     pub fn repeat_after(&mut self, length: f64) {
         self.keys.iter_mut().for_each(|key| key.repeat_after(length));
     }
 
-    /// Lets a hand press on the key in `slot` or grip it from now on.
+    /// Presses or grips the key in `slot` from now on.
     pub fn press(&mut self, slot: usize, hand: HandCommand) {
         if let Some(key) = self.keys.get_mut(slot) {
             key.press(hand);
         }
     }
 
-    /// Takes what has come, and lives through the ticks up to the start of `tick`; says where
-    /// its keys are whenever that is due.
-    ///
-    /// The first call takes nothing.
+    /// Receives frames, and simulates the ticks up to the start of `tick`; sends samples when due.
+    /// The first call receives none.
     ///
     /// # Real-time
-    /// At most 256 ticks and 64 frames; no heap, unless a gesture comes.
+    /// At most 256 ticks and 64 frames; no heap, except for a gesture.
     pub fn advance(&mut self, tick: u64, link: &mut impl Link) {
         let steps = self.progress.go_on(tick);
         if !steps.is_empty() {
@@ -245,50 +239,46 @@ impl SimulatedBoard {
         }
     }
 
-    /// Tells whether it renders no forces, for whatever reason.
+    /// Returns `true` if it renders no forces, for any reason.
     pub const fn is_safe(&self) -> bool {
         !self.interlock.is_armed()
     }
 
-    /// Returns why it renders no forces, as in [`safe_reason`].
+    /// Returns the reason why it renders no forces, as in [`safe_reason`].
     pub const fn safe_reason(&self) -> u8 {
         self.interlock.reason()
     }
 
-    /// Leaves the safe state without force, whatever brought it there; the next valid forces are
-    /// taken again.
+    /// Leaves the safe state without force, whatever its reason; the next valid forces are
+    /// accepted.
     pub fn rearm(&mut self) {
         self.interlock.force_armed(u64::from(VALID_MS) * 1_000);
         self.forget_forces();
     }
 
-    /// Lets go of all forces.
     fn forget_forces(&mut self) {
         self.rendered = RenderedForces::none(self.make.n_keys);
     }
 
-    /// Returns what the board has counted.
     pub fn counts(&self) -> BoardCounts {
         let (trips, armings) = self.interlock.counts();
         BoardCounts { trips: trips.into(), armings: armings.into(), ..self.counts }
     }
 
-    /// Returns what the board is made of.
     pub const fn make(&self) -> &BoardMake {
         &self.make
     }
 
-    /// Returns the plant in `slot`, with what no sensor tells.
+    /// Returns the plant in `slot`, which sensors show in part only.
     pub fn rig(&self, slot: usize) -> Option<&KeyRig> {
         self.keys.get(slot).map(Plant::rig)
     }
 
-    /// Returns how the encoders of this board read.
     pub fn calibration(&self) -> impl Iterator<Item = KeyCalibration> {
         self.keys.iter().map(Plant::calibration)
     }
 
-    /// Returns the hello that the board says.
+    /// Returns the hello of the board.
     pub fn introduction(&self) -> Introduction {
         let FakeIdentity { major, schema, keys, uid } = self.make.fake_identity;
         let n_keys = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
@@ -317,25 +307,24 @@ impl SimulatedBoard {
         Introduction { board: self.make.id, safe: self.is_safe(), hello }
     }
 
-    /// Sets the clock that it tells others back by so much (us); it goes on living by its own.
+    /// Sets its public clock back by so much (us); it continues by its own.
     pub const fn set_clock_back(&mut self, by_us: u64) {
         self.late_us = self.late_us.saturating_add(by_us);
     }
 
-    /// Returns the ticks that have passed since it showed others this time, whole; at most 65 ms.
+    /// Returns the whole ticks since its public clock showed this time; at most 65 ms.
     pub(super) fn ticks_since(&self, stamp_us: u16) -> f64 {
         let [low, high, ..] = self.clock_us().to_le_bytes();
         let us = u16::from_le_bytes([low, high]).wrapping_sub(stamp_us);
         (f64::from(us) * 1e-6 / self.make.period).round()
     }
 
-    /// Lets the board render no force, for this reason; a failed key or a stop it forgets only
-    /// without power.
+    /// Stops all forces for this reason; only a power cycle clears a failed key or a stop.
     pub fn fail(&mut self, reason: u8) {
         self.interlock.trip(reason, self.now_us());
     }
 
-    /// Returns its clock now (us), as requests see it.
+    /// Returns its clock now (us), as requests show it.
     fn clock_us(&self) -> u32 {
         low(self.told_us(self.now_us()))
     }
@@ -345,13 +334,13 @@ impl SimulatedBoard {
         self.progress.now_us()
     }
 
-    /// Returns what it tells others when its own clock shows `us`.
+    /// Returns its public time when its own clock shows `us`.
     const fn told_us(&self, us: u64) -> u64 {
         us.wrapping_sub(self.late_us)
     }
 
-    /// Takes what has come; it holds from `from_us` on, the start of the ticks that follow,
-    /// however late that is by the clock.
+    /// Receives frames, which hold from `from_us` on, the start of the following ticks, however
+    /// late that is by the clock.
     fn listen(&mut self, from_us: u64, link: &mut impl Link) {
         for _ in 0..MAX_FRAMES {
             let mut frame = [0; MAX_FRAME];
@@ -365,7 +354,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Takes a frame that came.
     fn hear(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         let is_mine = board_of(frame) == Some(self.make.id);
         match FrameKind::of(frame) {
@@ -381,7 +369,7 @@ impl SimulatedBoard {
         }
     }
 
-    /// Does what was said to all boards.
+    /// Executes a frame to all boards.
     fn obey(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         match Broadcast::decode(frame) {
             Ok(Broadcast::EmergencyStop { .. }) => {
@@ -397,7 +385,7 @@ impl SimulatedBoard {
         }
     }
 
-    /// Takes forces that answer something recent, and nothing older than those before.
+    /// Accepts forces that answer recent samples and are newer than those before.
     fn take(&mut self, now_us: u64, frame: &KeyForces) {
         let Some(sent) = self.history.find(frame.header) else {
             self.counts.stale += 1;
@@ -426,7 +414,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Advances the keys over `tick`.
     fn step(&mut self, tick: u64) {
         let now_us = self.progress.us(tick);
         let share = self.interlock.share(now_us) * self.make.strength;
@@ -441,7 +428,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Sends samples if their time has come.
     fn report_if_due(&mut self, tick: u64, link: &mut impl Link) {
         let Some((every, left)) = &mut self.every else { return };
         *left = left.saturating_sub(1);
@@ -451,7 +437,7 @@ impl SimulatedBoard {
         }
     }
 
-    /// Sends where the keys are at the start of `tick`.
+    /// Sends the positions at the start of `tick`.
     fn report(&mut self, tick: u64, link: &mut impl Link) {
         self.reported = Some(tick);
         let taken_us = self.progress.us(tick);
@@ -481,19 +467,19 @@ impl SimulatedBoard {
         }
     }
 
-    /// Sends a frame that is not cyclic.
+    /// Sends an acyclic frame.
     fn send(&mut self, frame: &[u8], link: &mut impl Link) {
         self.counts.unsent += u64::from(link.try_send(frame).is_err());
     }
 }
 
-/// Returns the rate of a period (s), as a hello says it (1/s).
+/// Returns the rate of a period (s), in units of the hello (1/s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn rate(period: f64) -> u16 {
     (1.0 / period).round() as u16
 }
 
-/// Returns a quantum (m), as a hello says it (nm).
+/// Returns a quantum (m), in units of the hello (nm).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn nanometres(quantum: f64) -> u32 {
     (quantum * 1e9).round() as u32

@@ -1,7 +1,7 @@
-//! How a simulated board takes forces that are for all boards.
+//! Multicast forces at a simulated board.
 //!
-//! Its keys may stand in two groups of thirty. If those of one are lost, the other must not keep
-//! them alive: what counts is the older of the two.
+//! Its keys may be in two groups of thirty. If the forces of one group are lost, the other must not
+//! keep them alive: the older of the two counts.
 
 use std::ops::Range;
 
@@ -13,26 +13,25 @@ use super::SimulatedBoard;
 use crate::sim::force_interlock::ForceDecision;
 use crate::sim::force_law::Law;
 
-/// When the newest forces of each group were worked out, since the board was armed (us).
+/// Times at which the newest forces of each group were computed, since arming (us).
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Groups {
     taken_us: [Option<u64>; GROUPS],
 }
 
 impl Groups {
-    /// Takes note of forces of `group`; returns when the oldest of those groups were worked out
-    /// in which `keys` stand, one at least; none as long as one of them has not come.
+    /// Records forces of `group`; returns the oldest time of the groups of `keys`, at least one, or
+    /// `None` as long as one of them is missing.
     fn hear(&mut self, group: u8, taken_us: u64, keys: &Range<usize>) -> Option<u64> {
         *self.taken_us.get_mut(usize::from(group))? = Some(taken_us);
         let mine = keys.start / GROUP..keys.end.div_ceil(GROUP);
-        // None is less than any time.
+        // `None` is less than any time.
         self.taken_us.get(mine)?.iter().copied().min().flatten()
     }
 }
 
 impl SimulatedBoard {
-    /// Takes forces that are for all boards, if that was agreed and they are recent; they hold
-    /// from `from_us` on.
+    /// Accepts multicast forces that were agreed and are recent; they hold from `from_us` on.
     pub(super) fn take_multicast(&mut self, from_us: u64, frame: &[u8]) {
         let Ok(frame) = MulticastForces::decode(frame) else {
             self.counts.refused += 1;
@@ -45,7 +44,7 @@ impl SimulatedBoard {
         if self.forces.packing != ForcePacking::Multicast16 || shared.is_empty() {
             return;
         }
-        // How old they are is told by the clock, whatever has not been lived through yet.
+        // The clock determines their age, whatever ticks have not been simulated yet.
         let now_us = self.now_us();
         let is_newer = self.bus_time.accept(frame.group, frame.sequence, now_us);
         let Some(age_us) = self.bus_time.age_us(now_us, frame.stamp_us).filter(|_| is_newer) else {
@@ -54,7 +53,7 @@ impl SimulatedBoard {
         };
         let taken_us = now_us.saturating_sub(age_us).min(from_us);
         let held = |force| {
-            // A frame that says "no force" says so of its own keys.
+            // The flag "no force" concerns the keys of its frame.
             let force = if frame.flag { Millinewtons::default() } else { force };
             Law::here(force, KeySlopes::default(), (0.0, 0.0), from_us)
         };
@@ -70,7 +69,7 @@ impl SimulatedBoard {
                     *law = held(*force);
                 }
                 if let Some(oldest_us) = self.rendered.groups.hear(frame.group, taken_us, &mine) {
-                    // If those are stale, nothing is fed, and they expire.
+                    // If those are stale, none is fed, and the forces expire.
                     let _fed = self.interlock.feed(oldest_us, from_us);
                 }
             }

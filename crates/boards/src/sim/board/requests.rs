@@ -1,4 +1,4 @@
-//! How a simulated board answers requests.
+//! Answers of a simulated board to requests.
 
 use crate::links::Link;
 use firmware_protocol::acyclic::arm::{Arm, Disarmed, LONGEST_VALID_MS, SHORTEST_VALID_MS};
@@ -25,29 +25,26 @@ use haptics::plant::{Gesture, Touch};
 use super::{BoardMake, FakeIdentity, SimulatedBoard};
 use crate::sim::force_interlock::NotArmed;
 
-/// Lines that the log keeps.
 const LOG: usize = 32;
 
-/// What requests read and write.
+/// State that requests read and write.
 #[derive(Clone, Debug)]
 pub(super) struct BoardRequestHandler {
     settings: [i32; setting::COUNT as usize],
     calibration: [Option<KeyCalibration>; MOST_KEYS],
     log: Vec<LogLine>,
-    /// The last reply, in case its request comes again: its number and operation.
+    /// Number and operation of the last request, and its reply, in case it is repeated.
     last: Option<((u8, u8), [u8; MAX_FRAME], usize)>,
     /// Time from which the current request holds (us).
     asked_us: u64,
-    /// The light is on until then (us).
+    /// Time at which the light goes off (us).
     light_until_us: u64,
-    /// Times that it was started.
     boots: u32,
     /// Keys whose motors are off, the first in bit 0.
     muted: u16,
 }
 
 impl BoardRequestHandler {
-    /// Returns the settings that `make` comes with.
     pub(super) fn new(make: BoardMake) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "a motor's force")]
         let limit = (make.rig.motor.limit * 1e3) as i32;
@@ -79,23 +76,20 @@ impl BoardRequestHandler {
         self.boots = before.boots.saturating_add(1);
     }
 
-    /// Returns which keys have their motors off, the first in bit 0.
+    /// Returns the keys whose motors are off, the first in bit 0.
     pub(super) const fn muted(&self) -> u16 {
         self.muted
     }
 
-    /// Returns the largest force of the motors (mN).
     pub(super) fn max_force_mn(&self) -> u16 {
         let [_number, _first_key, limit] = self.settings;
         u16::try_from(limit).unwrap_or(u16::MAX)
     }
 
-    /// Returns the CRC-32 of the settings.
     pub(super) fn config_crc(&self) -> u32 {
         config::crc(&self.settings)
     }
 
-    /// Tells whether the light is on.
     pub(super) const fn is_lit(&self, now_us: u64) -> bool {
         now_us < self.light_until_us
     }
@@ -114,7 +108,7 @@ impl BoardRequestHandler {
 }
 
 impl SimulatedBoard {
-    /// Answers a request; the same one again is answered again and not done again.
+    /// Answers a request; a repeated one is answered again and not done again.
     ///
     /// The request holds from `from_us` on; times in the reply are of the clock.
     pub(super) fn serve(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
@@ -123,7 +117,7 @@ impl SimulatedBoard {
             return;
         };
         let operation = request.operation.map_or_else(|it| it, |it| it as u8);
-        // A host that starts again may send the same number with another operation.
+        // A host that restarts may send the same number with another operation.
         let this = (request.id, operation);
         match self.requests.last {
             Some((last, bytes, len)) if last == this => self.send(&bytes[..len], link),
@@ -137,7 +131,7 @@ impl SimulatedBoard {
         }
     }
 
-    /// Returns `true` if the light is on that shows which board it is.
+    /// Returns `true` if its identifying light is on.
     pub fn is_lit(&self) -> bool {
         self.requests.is_lit(self.now_us())
     }
@@ -164,7 +158,7 @@ impl BoardOperations for SimulatedBoard {
     }
 
     fn key_health(&mut self, request: ReadKeyHealth) -> Result<KeyHealth, Status> {
-        /// Force of the motor for a current (N/A).
+        /// Force of the motor per current (N/A).
         const NEWTONS_PER_AMPERE: f64 = 10.0;
         let slot = usize::from(request.slot);
         let newtons = self.rig(slot).ok_or(Status::BadValue)?.motor_force();
@@ -317,7 +311,7 @@ impl BoardOperations for SimulatedBoard {
     }
 }
 
-/// Returns the whole time (us) near `now_us` whose low half is `low`.
+/// Returns the whole time (us) near `now_us` with the low half `low`.
 fn whole(now_us: u64, low: u32) -> u64 {
     let [a, b, c, d, ..] = now_us.to_le_bytes();
     let ahead = low.wrapping_sub(u32::from_le_bytes([a, b, c, d])).cast_signed();

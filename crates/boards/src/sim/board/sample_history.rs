@@ -1,17 +1,17 @@
-//! The samples that a board sent last: what forces may answer.
+//! The last samples of a board, which forces may answer.
 
 use firmware_protocol::acyclic::arm::HISTORY;
 use firmware_protocol::frame::Header;
 use firmware_protocol::frame::key_samples::KeySamples;
 use firmware_protocol::sequence::SequenceNumber;
 
-/// A frame of samples, and when it was taken.
+/// A frame of samples, and its time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sent {
     pub(super) samples: KeySamples,
-    /// When they were taken, board time (us).
+    /// Time of the samples, board time (us).
     pub(super) taken_us: u64,
-    /// Which it was, counted from the first.
+    /// Index, counted from the first frame.
     pub(super) number: u64,
 }
 
@@ -19,30 +19,26 @@ pub(super) struct Sent {
 #[derive(Clone, Debug)]
 pub(super) struct SampleHistory {
     sent: Box<[Option<Sent>; HISTORY]>,
-    /// How many were sent.
     n: u64,
 }
 
 impl SampleHistory {
-    /// Returns a history in which nothing was sent yet.
     pub(super) fn new() -> Self {
         Self { sent: Box::new([None; HISTORY]), n: 0 }
     }
 
-    /// Returns the number of the next frame.
     pub(super) const fn next_sequence(&self) -> SequenceNumber {
         let [low, ..] = self.n.to_le_bytes();
         SequenceNumber(low)
     }
 
-    /// Remembers a frame of samples.
     pub(super) fn push(&mut self, samples: KeySamples, taken_us: u64) {
         self.sent[place(samples.header.sequence)] =
             Some(Sent { samples, taken_us, number: self.n });
         self.n += 1;
     }
 
-    /// Returns the frame that `answer` answers: same number and same time, or none.
+    /// Returns the frame that `answer` answers: equal number and time, or none.
     pub(super) fn find(&self, answer: Header) -> Option<&Sent> {
         self.sent[place(answer.sequence)].as_ref().filter(|sent| {
             let header = sent.samples.header;
@@ -51,7 +47,6 @@ impl SampleHistory {
     }
 }
 
-/// Returns where the frame with this number is kept.
 const fn place(sequence: SequenceNumber) -> usize {
     sequence.0 as usize % HISTORY
 }
