@@ -23,7 +23,7 @@ use super::{DevicesArgs, PATIENCE_US, settings, test};
 use crate::{Failure, print_json};
 use host::connected_boards::{clock, folder, open};
 use scene::{BoardBus, Boards};
-/// Lines of a log that are read at most.
+/// Maximum number of lines to read from a log.
 const MOST_LINES: u16 = 1_000;
 
 /// A link, and the boards that answer on it.
@@ -31,14 +31,13 @@ const MOST_LINES: u16 = 1_000;
 struct OnLink {
     link: String,
     boards: Vec<BoardRow>,
-    /// The reasons why it, or a board on it, cannot be used, a sentence each.
+    /// Reasons why it, or a board on it, cannot be used; a sentence each.
     refusals: Vec<String>,
-    /// Why settings were not written, a sentence each.
+    /// Reasons why settings were not written; a sentence each.
     #[serde(skip)]
     unwritten: Vec<String>,
 }
 
-/// A board that answered.
 #[derive(Debug, Serialize)]
 struct BoardRow {
     number: u8,
@@ -51,7 +50,7 @@ struct BoardRow {
     #[serde(flatten)]
     abilities: BoardAbilities,
     reset_reason: u8,
-    /// The reason why it renders no force.
+    /// Reason why it renders no force.
     safe_reason: &'static str,
     config_crc: String,
     /// Path of its calibration file, and `true` if the file exists.
@@ -61,7 +60,7 @@ struct BoardRow {
     answers: BoardAnswers,
 }
 
-/// Rates, ranges and features that a board has.
+/// Rates, ranges and features of a board.
 #[derive(Debug, Serialize)]
 struct BoardAbilities {
     /// Maximum rates of samples and of forces, and the rate of its control of the motors (1/s).
@@ -77,15 +76,13 @@ struct BoardAbilities {
 #[derive(Debug, Default, Serialize)]
 struct BoardAnswers {
     log: Vec<String>,
-    /// Settings that were written.
     written: Vec<String>,
-    /// Other requests that it carried out, a sentence each.
+    /// Other requests that it carried out; a sentence each.
     done: Vec<String>,
     /// Health of the board and its keys, if it was asked and has that feature.
     health: Option<HealthRow>,
 }
 
-/// Prints the boards on all links.
 pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.links.is_empty() {
         return Err(Failure::Usage(
@@ -111,7 +108,7 @@ pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }
 
-/// Asks who is on a link, and does with them what is wanted.
+/// Finds the boards on a link, and executes the requests of the command line.
 fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     let (boards, refusals, unwritten) = (Vec::new(), Vec::new(), Vec::new());
     let mut link = OnLink { link: address.place.clone(), boards, refusals, unwritten };
@@ -167,8 +164,8 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     link
 }
 
-/// Lets a board blink, mutes and unmutes its keys, and lets it start its bootloader, as is wanted;
-/// `done` hears of each.
+/// Requests the light, mutes and unmutes keys, and starts the bootloader, as asked for; `done`
+/// receives a sentence on each.
 fn change(
     args: &DevicesArgs,
     found: &FoundBoard,
@@ -196,7 +193,7 @@ fn change(
     Ok(())
 }
 
-/// Returns what was asked for of boards and keys that are not there, a sentence each.
+/// Returns a sentence on each request to a missing board or key.
 fn absent(args: &DevicesArgs, boards: &[&BoardRow]) -> Vec<String> {
     let has_board = |number: &u8| boards.iter().any(|it| it.number == *number);
     let has_key = |key: &KeyIndex| boards.iter().any(|it| it.range.contains(*key));
@@ -240,7 +237,6 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
     (board, read.and_then(Result::err))
 }
 
-/// Returns the features of a board, in words.
 fn features(bits: u16) -> Vec<&'static str> {
     const WORDS: [(u16, &str); 7] = [
         (feature::SLOPES, "slopes"),
@@ -259,7 +255,6 @@ fn light(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Nothing,
     keybed.ask(&mut asker, Operation::Light, &Light { seconds: LIGHT_S })
 }
 
-/// Returns the lines of a board's log.
 fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String>, Refusal> {
     let mut asker = keybed.asker(found.line, found.board);
     let mut lines = Vec::new();
@@ -267,7 +262,7 @@ fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String
         let read = keybed.ask::<_, LogLine>(&mut asker, Operation::ReadLog, &ReadLog { line });
         let it = match read {
             Ok(it) => it,
-            // There is no such line: the log is empty, or was shortened.
+            // The log has no such line: it is empty, or was shortened.
             Err(Refusal::Declined { status: Status::BadValue, .. }) => break,
             Err(refusal) => return Err(refusal),
         };
@@ -281,7 +276,7 @@ fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String
     Ok(lines)
 }
 
-/// Returns `text` without what a terminal would obey.
+/// Returns `text` without control characters for terminals.
 fn printable(text: &str) -> String {
     text.replace(char::is_control, "\u{FFFD}")
 }

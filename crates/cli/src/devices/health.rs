@@ -1,4 +1,4 @@
-//! `letoff devices --boards --health`: how boards and their keys are, and keys without motors.
+//! `letoff devices --boards --health`: health of boards and keys, and keys with motors off.
 
 use std::io::Write;
 
@@ -14,10 +14,8 @@ use serde::Serialize;
 
 use crate::Failure;
 
-/// How a board and its keys are.
 #[derive(Debug, Serialize)]
 pub(super) struct HealthRow {
-    /// Times that it was started in its life.
     starts: u32,
     keys: Vec<KeyHealthRow>,
 }
@@ -28,12 +26,11 @@ struct KeyHealthRow {
     is_homed: bool,
     is_muted: bool,
     fault: &'static str,
-    /// Temperature (°C) and current (A) of its motor, if they are measured.
+    /// Temperature (°C) and current (A) of its motor, if measured.
     temperature: Option<f64>,
     current: Option<f64>,
 }
 
-/// Asks a board how it and its keys are.
 pub(super) fn read(
     found: &FoundBoard,
     keybed: &mut Keybed<Identified>,
@@ -70,7 +67,7 @@ fn measured(value: i16, unit: f64) -> Option<f64> {
     (value != NOT_MEASURED).then(|| f64::from(value) * unit)
 }
 
-/// Takes the motor of `key`, which is one of this board's, off (1) or on (0).
+/// Switches the motor of `key`, one of this board's, off (1) or on (0).
 pub(super) fn mute(
     found: &FoundBoard,
     keybed: &mut Keybed<Identified>,

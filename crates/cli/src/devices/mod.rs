@@ -1,4 +1,4 @@
-//! `letoff devices`: what is connected, why something is missing, and what to set up better.
+//! `letoff devices`: connected devices, reasons for missing ones, and advice on the set-up.
 
 use std::io::Write;
 
@@ -35,6 +35,7 @@ const PATIENCE_US: u64 = 2_500_000;
 and ends with exit code 1 if one does not. No board is armed and no force is sent;
 with --test=arm boards are armed, and each key is asked for 0.05 N at most; with
 --test=stop they are stopped in the end, until they are started anew.")]
+/// Options of `letoff devices`.
 #[expect(clippy::struct_excessive_bools, reason = "the flags of a command line")]
 pub struct DevicesArgs {
     /// Asks on the links who is there, and lists the boards instead.
@@ -84,7 +85,7 @@ pub struct DevicesArgs {
 struct Section {
     kind: &'static str,
     found: Vec<Device>,
-    /// The reason why nothing was found, and the remedy.
+    /// Reason why none was found, and the remedy.
     why_empty: Option<String>,
 }
 
@@ -92,13 +93,13 @@ struct Section {
 struct Device {
     name: String,
     detail: String,
-    /// The reason why it cannot be used, and the remedy.
+    /// Reason why it cannot be used, and the remedy.
     obstacle: Option<String>,
     /// Settings that are bad for forces, each with the remedy.
     advice: Vec<String>,
 }
 
-/// Prints serial ports, CAN interfaces, MIDI ports, and what the machine does to a tick.
+/// Prints serial ports, CAN interfaces, MIDI ports, and the machine's effects on a tick.
 pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.boards {
         return board_list::run(args, out);
@@ -127,7 +128,7 @@ fn print(section: &Section, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns a section from a listing, or from the reason why there is none.
+/// Returns a section with a listing, or with the reason why there is none.
 fn section<T, E: std::fmt::Display>(
     kind: &'static str,
     listing: Result<discovery::Listing<T>, E>,
@@ -205,7 +206,6 @@ fn wire(it: &discovery::CanInterface) -> String {
     parts.into_iter().flatten().chain(controller).collect::<Vec<_>>().join(", ")
 }
 
-/// Returns what is known of the controller of a CAN interface.
 fn controller(link: &discovery::CanLink) -> Vec<String> {
     let rate = |it: discovery::BitTiming| {
         let percent = f64::from(it.sample_point) / 10.0;

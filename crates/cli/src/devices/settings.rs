@@ -15,10 +15,7 @@ pub struct BoardSetting {
 }
 
 impl BoardSetting {
-    /// Reads `number=3`, `first_key=C4` or `max_force_mn=12000`.
-    ///
-    /// # Errors
-    /// A sentence on what to write.
+    /// Parses `number=3`, `first_key=C4` or `max_force_mn=12000`; the error is a sentence.
     pub(super) fn parse(text: &str) -> Result<Self, String> {
         const HELP: &str = "write number=0 to 14, first_key=A0 to C8, or max_force_mn=1 to 32767";
         let wrong = || format!("`{text}` is no setting of a board: {HELP}");
@@ -42,7 +39,7 @@ impl BoardSetting {
     }
 }
 
-/// Writes `settings` to the board; returns what it has now, in sentences.
+/// Writes `settings` to the board; returns a sentence on each present value.
 pub(super) fn write(
     settings: &[BoardSetting],
     found: &FoundBoard,

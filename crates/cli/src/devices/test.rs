@@ -1,4 +1,4 @@
-//! `letoff devices --boards --test`: whether boards keep the protocol, item by item.
+//! `letoff devices --boards --test`: conformance of boards to the protocol, item by item.
 
 use std::io::Write;
 
@@ -15,7 +15,6 @@ use crate::{Failure, print_json, tell};
 use host::connected_boards::clock;
 use scene::BoardBus;
 
-/// A board that was tested.
 #[derive(Debug, Serialize)]
 struct BoardTest {
     link: String,
@@ -24,7 +23,6 @@ struct BoardTest {
     items: Vec<ConformanceItem>,
 }
 
-/// Reads how far boards are tested.
 pub(super) fn depth(text: &str) -> Result<ConformanceDepth, String> {
     match text {
         "quiet" => Ok(ConformanceDepth::Quiet),
@@ -34,7 +32,7 @@ pub(super) fn depth(text: &str) -> Result<ConformanceDepth, String> {
     }
 }
 
-/// Tests the boards on all links, and prints what each keeps and breaks.
+/// Tests the boards on all links, and prints the items that each keeps and breaks.
 pub(super) fn run(
     args: &DevicesArgs,
     depth: ConformanceDepth,
@@ -57,7 +55,7 @@ pub(super) fn run(
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }
 
-/// Says what will happen to the keys.
+/// Announces the motions of the keys.
 fn announce(depth: ConformanceDepth) {
     let newtons = f64::from(MOST_FORCE_MN) * 1e-3;
     tell(&match depth {
@@ -105,7 +103,7 @@ fn on_link(
     Ok(tested.collect())
 }
 
-/// Returns what a board breaks, in a sentence.
+/// Returns a sentence on the items that a board breaks.
 fn broken(board: &BoardTest) -> Option<String> {
     let n = board.items.iter().filter(|it| it.outcome == ConformanceOutcome::Broken).count();
     let items = if n == 1 { "item" } else { "items" };

@@ -3,19 +3,18 @@
 use instruments::{PressureKind, PressureTable};
 use scheduler::motion::{KeyEvent, PressureScope};
 
-/// Shortest time between two values (s): 100 a second are as smooth as a synthesizer takes them.
+/// Shortest time between two values (s): 100 per second are as smooth as a synthesizer accepts.
 const SPACING: f64 = 10e-3;
 
-/// The pressure that was sent last, and since when.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct PressureTracker {
     value: u8,
-    /// Ticks since it was sent.
+    /// Ticks since the last value was sent.
     age: u32,
 }
 
 impl PressureTracker {
-    /// Follows the key's force (N) in ticks of `h` (s); returns the pressure if it is another one.
+    /// Follows the key's force (N) in ticks of `h` (s); returns the pressure if it changed.
     pub(crate) fn follow(
         &mut self,
         PressureTable { kind, range: (from, to) }: PressureTable,

@@ -1,4 +1,4 @@
-//! From a scene's values to a voice of whichever model they are of.
+//! Builds a voice of any model from a scene's values.
 
 use std::sync::Arc;
 
@@ -26,13 +26,13 @@ use scene::{InputReconstruction, KeyVoice, LinksConfig, PassivityMode, Render, S
 /// A voice of any model.
 pub type AnyVoice = Box<dyn RehearsableVoice>;
 
-/// Why a scene's values make no voice.
+/// Reason why a scene's values yield no voice.
 #[derive(Debug, thiserror::Error)]
 pub enum BuildError {
     #[error("model `{model}` has {found} {what}, more than the {most} that a voice can have")]
     TooLarge {
         model: &'static str,
-        /// Of what there are too many.
+        /// Plural noun of the entities above the limit.
         what: &'static str,
         found: usize,
         most: usize,
@@ -43,7 +43,7 @@ pub enum BuildError {
     Rate(u32),
 }
 
-/// Builds voices and keys of one scene.
+/// Builder of the voices and keys of one scene.
 #[derive(Clone, Debug)]
 pub struct VoiceBuilder<'a> {
     scene: &'a Scene,
@@ -53,46 +53,35 @@ pub struct VoiceBuilder<'a> {
 
 impl<'a> VoiceBuilder<'a> {
     /// Returns a builder for `scene`, on the scene's rig.
-    ///
-    /// # Errors
-    /// If the scene's rate cannot be kept.
     pub fn new(scene: &'a Scene) -> Result<Self, BuildError> {
         let period = Period::from_hz(scene.tick_hz).ok_or(BuildError::Rate(scene.tick_hz))?;
         Ok(Self { scene, period, rig: scene.rig.parameters() })
     }
 
-    /// Returns the period of ticks.
     pub const fn period(&self) -> Period {
         self.period
     }
 
-    /// Returns what every key is made of.
+    /// Returns the parameters of every key.
     pub const fn rig(&self) -> RigParameters {
         self.rig
     }
 
-    /// Returns the keys that have a voice, each with what the scene says of it.
+    /// Returns the keys with a voice, each with its settings in the scene.
     pub fn keys(&self) -> impl Iterator<Item = (usize, &'a KeyVoice)> {
         self.scene.keys.iter().enumerate().filter_map(|(key, voice)| Some((key, voice.as_ref()?)))
     }
 
-    /// Returns the slew limit of all forces (N/s).
     pub const fn slew_limit(&self) -> f64 {
         self.scene.render.slew_limit
     }
 
-    /// Returns the voice of one key; its energy audit is published in `cell`.
-    ///
-    /// # Errors
-    /// If its model or limits are refused.
+    /// Returns the voice of one key, which publishes its energy audit in `cell`.
     pub fn voice(&self, voice: &KeyVoice, cell: Arc<AuditCell>) -> Result<AnyVoice, BuildError> {
         self.numbered(voice, cell, 0)
     }
 
-    /// Returns the same voice with the number `revision`, which its observations show.
-    ///
-    /// # Errors
-    /// If its model or limits are refused.
+    /// Like [`Self::voice`], with the number `revision`, which its observations contain.
     pub fn numbered(
         &self,
         voice: &KeyVoice,
@@ -116,7 +105,7 @@ impl<'a> VoiceBuilder<'a> {
     }
 }
 
-/// Refuses a model of which a voice could not show all states or take all parameters.
+/// Rejects a model with too many states or parameters for a voice.
 fn refuse_large(model: &ModelEntry) -> Result<(), BuildError> {
     let counts = [
         ("states", model.states.len(), MAX_STATES),
@@ -130,7 +119,6 @@ fn refuse_large(model: &ModelEntry) -> Result<(), BuildError> {
     Ok(())
 }
 
-/// Whether the boards of `links` render slopes.
 fn slopes(links: &LinksConfig) -> SlopeOutput {
     match links {
         LinksConfig::Boards(boards) if boards.forces == ForcePacking::Force16Slope => {
@@ -140,24 +128,23 @@ fn slopes(links: &LinksConfig) -> SlopeOutput {
     }
 }
 
-/// Steps in which the boards of `links` measure speeds (m/s), if they do.
+/// Returns the steps of the speeds (m/s) measured by the boards of `links`, if any.
 fn speed_step(links: &LinksConfig) -> Option<f64> {
     let LinksConfig::Boards(boards) = links else { return None };
     let step = 1e-6 * f64::from(SpeedCode::MICROMETRES_PER_SECOND);
     boards.samples.has_velocity().then_some(step)
 }
 
-/// Makes a voice of whichever model a key plays.
 struct Builder<'a> {
     render: &'a Render,
     values: &'a [f64],
     h: f64,
     rig: RigParameters,
-    /// From a force's arrival to its effect (s).
+    /// Time from a force's arrival to its effect (s).
     delay: f64,
     cell: Arc<AuditCell>,
     slopes: SlopeOutput,
-    /// Steps in which boards measure speeds (m/s), if they do.
+    /// Steps of the speeds (m/s) measured by boards, if any.
     speed_step: Option<f64>,
     revision: u32,
 }
@@ -165,8 +152,8 @@ struct Builder<'a> {
 impl Visitor for Builder<'_> {
     type Output = Result<AnyVoice, BuildError>;
 
-    /// One voice type for all models of a size with the usual method, and one with any other:
-    /// another model compiles nothing.
+    /// One voice type for all models of a size with the usual method, and one with any other, so
+    /// that a further model compiles no code.
     fn visit<M: Playable>(self, model: M) -> Self::Output {
         if let Any::Rk4(rk4) = self.render.stepper {
             return Rk4Builder { rk4, builder: self }.visit(model);
@@ -180,7 +167,6 @@ impl Visitor for Builder<'_> {
     }
 }
 
-/// Makes the voice of a model whose method is known.
 struct Rk4Builder<'a> {
     rk4: Rk4,
     builder: Builder<'a>,

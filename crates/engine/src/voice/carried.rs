@@ -1,4 +1,4 @@
-//! What of a voice goes on in the voice that takes its place.
+//! The parts of a voice that its successor takes over.
 
 use std::sync::Arc;
 
@@ -11,34 +11,32 @@ use crate::voice::damper::DamperTracker;
 use crate::voice::input::InputPath;
 use crate::voice::shift::InputShift;
 
-/// What a voice knows beyond its model's mode and state: its model, its key, and its damper.
+/// A voice's memory beyond its model's mode and state.
 #[derive(Clone, Debug)]
 pub struct KeyMemory {
-    /// The model in its version.
     pub model: Arc<ModelParts>,
-    /// From samples to the model's input.
+    /// Path of samples to the model's input.
     pub input: InputPath,
-    /// Whether the key has lifted the damper.
     pub damper: DamperTracker,
     /// Between the player's key and the model's, if there is one.
     pub coupling: Option<Coupling>,
-    /// Between where the player's key puts the model's, and where it is after a change.
+    /// Shift of the model's key from the position of the player's, after a change.
     pub shift: InputShift,
 }
 
 impl KeyMemory {
-    /// Returns where the player's key puts the model's, or the coupling's end.
+    /// Returns the model input at the player's key, or at the coupling's end.
     pub(crate) fn player(&self) -> Motion {
         let newest = self.input.newest();
         Motion { position: newest.position + self.shift.now(), ..newest }
     }
 
-    /// Returns how the model's key moves.
+    /// Returns the motion of the model's key.
     pub(crate) fn key(&self) -> Motion {
         self.coupling.map_or_else(|| self.player(), |it| it.key())
     }
 
-    /// Goes on where the key of `before` is, the same model with other settings.
+    /// Continues from the key of `before`, of the same model with other settings.
     pub(crate) fn succeed(&mut self, before: &Self) {
         self.input.succeed(&before.input);
         let at = if self.coupling.is_some() { before.player() } else { before.key() };
@@ -51,8 +49,8 @@ impl KeyMemory {
     }
 }
 
-/// Takes over into `state`, of the model of `own`, what the model of `entry` as it was `seen` has by
-/// the same names and units; the rest stays as it is.
+/// Takes over into `state`, of the model of `own`, the values with equal names and units in the
+/// model of `entry` as `seen`; the rest stays unchanged.
 ///
 /// # Real-time
 /// At most 32 × 32 names are compared.
@@ -71,7 +69,7 @@ pub(crate) fn carry(
     }
 }
 
-/// Returns the mode of `model` that is called as the structural mode `number` of `entry`.
+/// Returns the mode of `model` with the name of the structural mode `number` of `entry`.
 ///
 /// # Real-time
 /// The names of modes are compared.

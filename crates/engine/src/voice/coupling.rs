@@ -13,12 +13,12 @@ pub struct CouplingConstants {
     pub damping: f64,
 }
 
-/// The key of a model that is moved by a coupling instead of the player's key itself.
+/// The key of a model, moved by a coupling instead of the player's key.
 ///
-/// A model whose force follows its key's acceleration, as one of rigid bodies does, cannot be moved
-/// by a measured one: what the encoder rounds would be felt as blows. Here the model's key has the
-/// inertia that the model gives it, and goes where the coupling and the model's force take it; the
-/// player feels the coupling. A force that is passive for the coupling's end is so for the player.
+/// A model whose force follows its key's acceleration, such as rigid bodies, cannot be moved by
+/// measured accelerations: the encoder's rounding would be felt as blows. So the model's key has
+/// the model's inertia, and moves under the forces of coupling and model; the player feels the
+/// coupling. A force that is passive for the coupling's end is passive for the player.
 ///
 /// # References
 ///
@@ -26,10 +26,10 @@ pub struct CouplingConstants {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupling {
     constants: CouplingConstants,
-    /// Where the model's key is, and its rate (model input, 1/s of it).
+    /// Position of the model's key, and its rate (model input, 1/s of it).
     position: f64,
     rate: f64,
-    /// What events of the last tick took from the model's key (readout s).
+    /// Impulse of the last tick's events on the model's key (readout s).
     impulse: f64,
     /// Energy in the spring (J).
     stored: f64,
@@ -38,43 +38,40 @@ pub struct Coupling {
 /// A tick of a coupled key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CoupledTick {
-    /// Motion of the model's key.
     pub(crate) signal: Cubic,
     /// Force of the coupling (readout).
     pub(crate) force: f64,
-    /// What the spring stores more than a tick before (J).
+    /// Increase of the spring's energy in the tick (J).
     pub(crate) stored: f64,
 }
 
-/// Least inertia of a model's key (readout per acceleration): one without any would follow its
+/// Minimum inertia of a model's key (readout per acceleration): one without any would follow its
 /// coupling at once.
 const LEAST_INERTIA: f64 = 1e-9;
 
 impl Coupling {
-    /// Returns a coupling at rest.
     pub const fn new(constants: CouplingConstants) -> Self {
         Self { constants, position: 0.0, rate: 0.0, impulse: 0.0, stored: 0.0 }
     }
 
-    /// Returns the spring and the damper.
     pub const fn constants(&self) -> CouplingConstants {
         self.constants
     }
 
-    /// Puts the model's key where the player's is, which moves as `key` says.
+    /// Puts the model's key at the player's, which moves as `key`.
     pub(crate) const fn place(&mut self, key: &Motion) {
         let Motion { position, rate, .. } = *key;
         *self = Self { position, rate, ..Self::new(self.constants) };
     }
 
-    /// Goes on where the coupling `before` was.
+    /// Continues from the coupling `before`.
     pub(crate) fn succeed(&mut self, before: &Self) {
-        // The same way between the keys is another energy in another spring.
+        // The same distance of the keys is another energy in another spring.
         let stiffer = self.constants.stiffness / before.constants.stiffness;
         *self = Self { constants: self.constants, stored: before.stored * stiffer, ..*before };
     }
 
-    /// Returns how the model's key moves.
+    /// Returns the motion of the model's key.
     pub(crate) fn key(&self) -> Motion {
         Motion { position: self.position, rate: self.rate, ..Motion::default() }
     }
@@ -84,7 +81,7 @@ impl Coupling {
         self.stored
     }
 
-    /// Takes note of an impulse of an event on the model's key (readout s).
+    /// Records an event's impulse on the model's key (readout s).
     pub(crate) fn strike(&mut self, impulse: f64) {
         self.impulse += impulse;
     }
@@ -92,7 +89,7 @@ impl Coupling {
     /// Moves the model's key over a tick of `h` (s) in which the player's moves as `key`, at
     /// `scale` model inputs per metre.
     ///
-    /// The coupling is taken at the end of the tick, so that it is stable however stiff.
+    /// The coupling is evaluated at the end of the tick, so that it is stable for any stiffness.
     ///
     /// # Real-time
     /// Two readouts, one division or two.

@@ -1,6 +1,5 @@
-//! When a key's damper leaves the string and falls back on it.
-//!
-//! The key itself lifts it, at a height that the model says.
+//! Times at which a key's damper leaves the string and falls back on it. The key itself lifts it,
+//! at a height of the model.
 
 use instruments::Damper;
 use scheduler::motion::{KeyEvent, Moment};
@@ -14,20 +13,20 @@ pub struct DamperTracker {
 }
 
 impl DamperTracker {
-    /// Returns `damper` on the string, of a key at `position` (m): where that lifts it, it leaves
-    /// the string when it is followed.
+    /// Returns `damper` on the string, of a key at `position` (m): if that is beyond the
+    /// lift height, the damper leaves the string in the first tick.
     pub const fn new(damper: Damper, position: f64) -> Self {
         Self { damper, lifted: false, position }
     }
 
-    /// Returns the same place on the string or off it, with the heights of `damper`.
+    /// Keeps the state, on the string or off it, with the heights of `damper`.
     #[must_use]
     pub const fn with_damper(self, damper: Damper) -> Self {
         Self { damper, ..self }
     }
 
     /// Follows the key to `position` (m) at the start of `tick`, in ticks of `period` (s); returns
-    /// when it left the string or fell back on it since the tick before.
+    /// the time at which it left the string or fell back since the tick before.
     pub fn follow(&mut self, tick: u64, position: f64, period: f64) -> Option<(Moment, KeyEvent)> {
         let before = std::mem::replace(&mut self.position, position);
         let Damper { lift, fall } = self.damper;
@@ -37,7 +36,7 @@ impl DamperTracker {
             return None;
         }
         self.lifted = !self.lifted;
-        // A key that is down when it begins has not moved: the quotient is -∞, and θ is 0.
+        // A key that begins down has not moved: the quotient is -∞, and θ is 0.
         let theta = ((threshold - before) / (position - before)).clamp(0.0, 1.0);
         let at = Moment { tick: tick.saturating_sub(1), theta };
         let event = if self.lifted {

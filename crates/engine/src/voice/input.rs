@@ -1,35 +1,34 @@
-//! From samples to a model's input: estimate, then continue over the tick.
+//! Path from samples to a model's input: estimate, then continue over the tick.
 
 use haptics::{AnyEstimator, Estimator as _, KeyMotion};
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use scheduler::motion::KeySample;
 use scheduler::safety::MAX_EXTRAPOLATED;
 
-/// How the motion goes on over the tick.
+/// Continuation of the motion over the tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Continuation {
-    /// With the estimated velocity and acceleration.
+    /// By the estimated velocity and acceleration.
     Estimate,
-    /// From the samples alone.
     Samples(Reconstruction, Reconstructor),
 }
 
-/// The way from samples to the input of one voice.
+/// Path of samples to the input of one voice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputPath {
     estimator: AnyEstimator,
     continuation: Continuation,
     /// Model input per metre.
     scale: f64,
-    /// Tick (s).
+    /// Tick period (s).
     h: f64,
-    /// How long before its effect a force is worked out (s).
+    /// Time from the computation of a force to its effect (s).
     lead: f64,
-    /// The motion at the newest sample.
+    /// Motion at the newest sample.
     last: KeyMotion,
-    /// The tick that was asked for last, if there was one.
+    /// Last requested tick, if any.
     tick: Option<u64>,
-    /// How long before that tick this sample was taken (ticks).
+    /// Age of that sample at that tick (ticks).
     since: f64,
 }
 
@@ -37,25 +36,25 @@ pub struct InputPath {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Followed {
     pub signal: Cubic,
-    /// Where the key is at the start of the tick (m).
+    /// Position of the key at the start of the tick (m).
     pub position: f64,
-    /// How much after the usual its newest sample was taken before that (s).
+    /// Excess of its newest sample's age over the usual (s).
     pub late: f64,
-    /// Displacement of the input back to where it was before a pause, if there was one so long that
-    /// the key's motion is not known.
+    /// Displacement of the input back to its position before a pause, if the pause was so long that
+    /// the key's motion is unknown.
     pub back: Option<f64>,
 }
 
-/// Samples closer than this are one and the same (ticks).
+/// Time difference below which samples are the same (ticks).
 const NEWS: f64 = 1e-3;
 
-/// How far motion is continued from a sample, or taken back from one that was early (ticks).
+/// Longest continuation of motion, forward from a sample, or back from an early one (ticks).
 const MOST_AHEAD: f64 = 1.0;
 
-/// Ticks of motion that an estimator is shown which takes the place of another.
+/// Ticks of motion that are shown to an estimator that replaces another.
 const SHOWN: u32 = 16;
 
-/// After so long without a sample nothing is known of a key's motion (s): a stroke takes as long.
+/// Time without a sample after which a key's motion is unknown (s): the length of a stroke.
 const FORGOTTEN: f64 = 10e-3;
 
 impl InputPath {
@@ -73,17 +72,15 @@ impl InputPath {
         Self { estimator, continuation, scale, h, lead: 0.0, last, tick: None, since: 0.0 }
     }
 
-    /// Returns the same for forces that act `lead` (s) after the tick: estimated motion is
-    /// continued as far.
+    /// Continues estimated motion by `lead` (s), for forces that act that much after the tick.
     #[must_use]
     pub const fn with_lead(self, lead: f64) -> Self {
         Self { lead, ..self }
     }
 
-    /// Goes on from the samples of `before`.
+    /// Continues from the samples of `before`.
     ///
-    /// What estimates motion goes on with what it knows if it is set as the one before was;
-    /// another one is shown the motion that the one before saw last.
+    /// An estimator with equal settings keeps its state; another one is shown the last motion.
     ///
     /// # Real-time
     /// At most 16 updates of an estimator.
@@ -116,7 +113,6 @@ impl InputPath {
         }
     }
 
-    /// Returns the input at the newest sample.
     pub fn newest(&self) -> pode::Motion {
         pode::Motion {
             position: self.last.position * self.scale,
@@ -137,8 +133,8 @@ impl InputPath {
         pode::Motion { position: position * self.scale, ..pode::Motion::default() }
     }
 
-    /// Goes on to `tick`; says how long after the one before `sample` was taken (ticks), if it is
-    /// a new one.
+    /// Advances to `tick`; returns the interval of `sample` from the one before (ticks) if it is
+    /// new.
     pub fn go_on(&mut self, tick: u64, sample: &KeySample) -> Option<f64> {
         let Some(before) = self.tick.replace(tick) else {
             self.since = sample.taken;
@@ -151,13 +147,13 @@ impl InputPath {
         is_news.then_some(elapsed)
     }
 
-    /// How long after the newest sample the tick begins, as far as motion is continued (s).
+    /// Returns the time from the newest sample to the tick, as far as motion is continued (s).
     const fn ahead(&self) -> f64 {
         self.since.clamp(-MOST_AHEAD, MOST_AHEAD) * self.h
     }
 
-    /// Takes a sample that was taken `elapsed` (s) after the one before; returns the displacement
-    /// back to that one, if the time between them was long.
+    /// Adds a sample, `elapsed` (s) after the one before; returns the displacement back to that
+    /// one after a long pause.
     fn learn(
         &mut self,
         &KeySample { position, velocity, .. }: &KeySample,
@@ -186,7 +182,7 @@ impl InputPath {
             (self.last, sample.position)
         } else {
             let motion = self.last.after(self.ahead());
-            // What goes on, and for how long, is the same here as in `scheduler::safety`.
+            // The limit of the continuation is that of `scheduler::safety`.
             let is_over = MAX_EXTRAPOLATED < sample.age;
             let motion = if is_over { KeyMotion::at_rest(motion.position) } else { motion };
             (motion, motion.position)
@@ -203,7 +199,7 @@ impl InputPath {
     }
 }
 
-/// Whether two estimators are the same, but for what they saw.
+/// Returns `true` if two estimators have equal settings.
 fn is_set_as(mut one: AnyEstimator, mut other: AnyEstimator) -> bool {
     one.reset(0.0);
     other.reset(0.0);

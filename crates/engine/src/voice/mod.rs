@@ -1,19 +1,19 @@
 //! A model as a key's voice: sample in, force out.
 //!
-//! The only crate that instantiates a simulator per model and method; from outside a voice is a
+//! Only here is a simulator instantiated per model and method; from outside a voice is a
 //! [`RehearsableVoice`], a scheduler's voice that can be copied.
 //!
-//! | module | what stands there |
+//! | module | contents |
 //! |---|---|
 //! | [`rendered_key`] | the voice: estimate, advance, read out, limit |
-//! | [`input`] | from a key's samples to the motion of the model's input |
+//! | [`input`] | path of a key's samples to the motion of the model's input |
 //! | [`coupling`] | a spring and a damper between the player's key and the model's |
-//! | [`damper`] | when the key lifts and drops its damper |
+//! | [`damper`] | times at which the key lifts and drops its damper |
 //! | `aftertouch` | the force on a key that is held down, as pressure |
-//! | `rest` | when a voice sleeps |
-//! | [`audit`] | where a voice publishes its energy audit |
-//! | `carried` | what of a voice goes on in the one that takes its place |
-//! | [`builder`] | from a scene's values to a voice |
+//! | `rest` | condition for a voice to sleep |
+//! | [`audit`] | cell in which a voice publishes its energy audit |
+//! | `carried` | state that the next voice takes over |
+//! | [`builder`] | voices from a scene's values |
 
 mod aftertouch;
 pub mod audit;

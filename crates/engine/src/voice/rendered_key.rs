@@ -29,7 +29,7 @@ use crate::voice::shift::InputShift;
 
 /// A voice that can be copied, for rehearsals.
 pub trait RehearsableVoice: Voice + Send {
-    /// A copy with the same bits.
+    /// Returns a copy with the same bits.
     fn copy(&self) -> Box<dyn RehearsableVoice>;
 }
 
@@ -43,16 +43,14 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     pressure: PressureTracker,
     rest: RestDetector<M::State>,
     energy: EnergyChecks<M>,
-    /// Mode and state at rest with the key up; `None` after a change of values, since the search for
-    /// them takes longer than a tick where many voices begin at once.
+    /// Mode and state at rest with the key up; `None` after a change of values, since the search
+    /// takes longer than a tick where many voices begin at once.
     up: Option<(M::Mode, M::State)>,
-    /// `true` if the last turn failed.
     has_failed: bool,
     simplified: Simplifications,
     revision: u32,
-    /// The model's input over the tick that was run last.
+    /// The model's input over the last tick.
     signal: Cubic,
-    /// Changes of mode in that tick.
     switches: Switches,
 }
 
@@ -63,7 +61,7 @@ struct VoiceConstants {
     device: Option<DeviceCompensation>,
     slopes: SlopeOutput,
     kind: VoiceKind,
-    /// Tick (s).
+    /// Tick period (s).
     h: f64,
 }
 
@@ -74,7 +72,7 @@ struct EnergyChecks<M: Playable> {
     passivity: PassivityObserver,
     controller: Option<PassivityController>,
     cell: Arc<AuditCell>,
-    /// Energy that the model stores at rest with the key up (J).
+    /// Energy of the model at rest with the key up (J).
     at_rest: f64,
 }
 
@@ -86,62 +84,56 @@ fn kind_of<T>(name: &str) -> VoiceKind {
     )
 }
 
-/// Farther than a key moves in a tick (m): twice its dip.
+/// Bound on a key's motion in a tick (m): twice its dip.
 const LONGEST_WAY: f64 = 0.02;
 
-/// What a voice is built from, besides its model.
+/// Parts of a voice besides its model.
 #[derive(Clone, Debug)]
 pub struct VoiceSettings {
-    /// From samples to the model's input.
     pub input: InputPath,
     /// Between the player's key and the model's, if there is one.
     pub coupling: Option<Coupling>,
     pub gains: Gains,
-    /// What is taken off the device's own mechanics, if something is.
+    /// Compensation of the device's own mechanics, if any.
     pub device: Option<DeviceCompensation>,
     pub gate: ForceGate,
     pub passivity: PassivityObserver,
-    /// What keeps the key passive, if something does.
+    /// Keeps the key passive, if present.
     pub controller: Option<PassivityController>,
     pub limits: Limits,
-    /// Where the energy audit is published.
+    /// Receives the energy audit.
     pub cell: Arc<AuditCell>,
-    /// Tick (s).
+    /// Tick period (s).
     pub h: f64,
-    /// Whether the boards render slopes.
     pub slopes: SlopeOutput,
-    /// Its number among all voices of a run.
+    /// Number among all voices of a run.
     pub revision: u32,
 }
 
-/// Between a key and its model, beyond the model's own scale.
+/// Gains between a key and its model, beyond the model's own scale.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Gains {
-    /// Times the key's motion.
+    /// Factor of the key's motion.
     pub motion: f64,
-    /// Times the model's force.
+    /// Factor of the model's force.
     pub force: f64,
 }
 
 impl Default for Gains {
-    /// The key is the model's own.
     fn default() -> Self {
         Self { motion: 1.0, force: 1.0 }
     }
 }
 
-/// Whether a voice works out how its force goes on between two ticks.
+/// Use of the slopes of a voice's force between two ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum SlopeOutput {
-    /// The boards hold their forces.
     #[default]
     Unused,
-    /// The boards render slopes.
     Rendered,
 }
 
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
-    /// Returns a voice at rest with its key up.
     pub fn new(model: M, stepper: T, settings: VoiceSettings) -> Self {
         let VoiceSettings { input, coupling, gains, device, slopes, h, .. } = settings;
         let (mode, state) = model.at_rest(&Motion::default());
@@ -177,11 +169,11 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Returns mode and state at rest under `input`, which does not move, and the displacement from
-    /// there to where the model's key begins.
+    /// Returns mode and state at rest under the constant `input`, and the displacement from there
+    /// to the start of the model's key.
     ///
-    /// To search for the rest takes as long as hundreds of steps. After a failed turn the model
-    /// begins with its key up instead, and follows the player's within 0.3 s.
+    /// The search takes as long as hundreds of steps. After a failed turn the model begins with its
+    /// key up instead, and follows the player's within 0.3 s.
     fn rest_under(&self, input: &Motion) -> (M::Mode, M::State, f64) {
         match self.up {
             Some((mode, state)) if self.has_failed || *input == Motion::default() => {
@@ -194,18 +186,18 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Model input per metre at the key's front.
+    /// Returns the model input per metre at the key's front.
     fn scale(&self) -> f64 {
         self.simulator.model().input_per_metre() * self.constants.gains.motion
     }
 
-    /// Newtons at the key's front for one of the model's readout.
+    /// Returns the force at the key's front per readout of the model (N).
     fn per_readout(&self) -> f64 {
         self.simulator.model().input_per_metre() * self.constants.gains.force
     }
 
-    /// Returns how the mean force of a tick without events goes on around the middle of that
-    /// tick, at whose start the newest sample was `late` (s).
+    /// Returns the slope of the mean force of a tick without events around the middle of that tick,
+    /// at whose start the newest sample was `late` (s).
     ///
     /// # Real-time
     /// At most four readouts.
@@ -239,16 +231,16 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         if is_short { SleepTime::Short } else { SleepTime::Usual }
     }
 
-    /// Returns whether the integration has made or lost less energy since `before` than the
-    /// strongest force does over [`LONGEST_WAY`].
+    /// Returns `true` if the energy error of the integration since `before` is less than the work
+    /// of the strongest force over [`LONGEST_WAY`].
     ///
-    /// Energies are the same at the finger and in the model, whatever its input is measured in.
+    /// Energies are equal at the finger and in the model, whatever the unit of its input.
     fn is_explained(&self, before: &EnergyAudit) -> bool {
         let most = self.gate.limit() * LONGEST_WAY;
         (self.energy.auditor.sums.integration - before.integration).abs() <= most
     }
 
-    /// Moves the model's key over the tick in which the player's moves as `key`, if they are coupled.
+    /// Moves a coupled model's key over the tick in which the player's moves as `key`.
     fn coupled(&mut self, key: &Cubic) -> Option<CoupledTick> {
         let scale = self.scale();
         let simulator = &self.simulator;
@@ -256,8 +248,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         Some(self.memory.coupling.as_mut()?.follow(played, key, scale, self.constants.h))
     }
 
-    /// Returns what is taken off the resistance of the device itself (N) in the middle of a tick in
-    /// which its key moves so.
+    /// Returns the compensation of the device's own resistance (N) in the middle of a tick in which
+    /// its key moves as `key`.
     fn compensation(&self, key: &Cubic) -> f64 {
         let Some(device) = &self.constants.device else { return 0.0 };
         let (key, scale) = (key.at(0.5), self.scale());
@@ -268,7 +260,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         })
     }
 
-    /// Tells the pressure on the key, of an instrument that has one.
+    /// Outputs the pressure on the key, of an instrument with aftertouch.
     fn press(&mut self, tick: u64, turn: &mut VoiceOutput) {
         let Some(table) = self.simulator.model().midi().pressure else { return };
         if let Some(event) = self.pressure.follow(table, turn.force, self.constants.h) {
@@ -276,7 +268,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Returns as much of `force` (N) as keeps the key passive, which is at `position` (m).
+    /// Returns the passive share of `force` (N) for the key at `position` (m).
     fn passive(&mut self, tick: u64, position: f64, force: f64) -> f64 {
         let Some(controller) = &mut self.energy.controller else { return force };
         controller.follow(tick, position);
@@ -285,8 +277,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         passive
     }
 
-    /// Tells the controller what the model took since `before`, and its coupling in this tick
-    /// (J), as energy at the finger.
+    /// Reports to the controller the energy of the model since `before`, and of its coupling in
+    /// this tick (J), at the finger.
     fn account(&mut self, before: &EnergyAudit, coupling: f64) {
         let Some(controller) = &mut self.energy.controller else { return };
         let EnergyAudit { dissipated, jumps, stored, .. } = self.energy.auditor.sums;
@@ -295,8 +287,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         controller.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
     }
 
-    /// Forgets what energy went where, but for what is stored now: another action, or another
-    /// hand.
+    /// Resets the energy account to the stored energy, for another action or another hand.
     fn begin_account(&mut self) {
         self.energy.passivity.reset();
         let stored = self.stored();
@@ -306,7 +297,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Returns what the action stores beyond its rest, as energy at the finger (J).
+    /// Returns the stored energy of the action beyond its rest, at the finger (J).
     fn stored(&self) -> f64 {
         let simulator = &self.simulator;
         let (model, mode, state) = (simulator.model(), simulator.mode(), simulator.state());
@@ -315,7 +306,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         (in_model + in_coupling) * self.constants.gains.force / self.constants.gains.motion
     }
 
-    /// Moves the model over the tick, lets it push back, and judges the turn.
+    /// Moves the model over the tick, computes its force, and judges the turn.
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let is_passive = self.energy.passivity.is_passive(tick, sample.position);
         let Followed { signal, position, late, back } = self.memory.input.follow(tick, sample);
@@ -358,8 +349,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         self.rest.observe((sample.position, turn.force), self.memory.model.coordinates, moved);
     }
 
-    /// Moves the model, and its coupling if there is one, over the tick in which the player's key
-    /// moves as `signal`; strikes go to `events`.
+    /// Moves the model, and its coupling if any, over the tick in which the player's key moves as
+    /// `signal`; strikes go to `events`.
     fn advance_model(
         &mut self,
         tick: u64,
@@ -378,8 +369,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         (done, coupled)
     }
 
-    /// Turns the mean readout of a tick into the force on the key at `position` (m). Returns `true`
-    /// if no limit has changed that force.
+    /// Converts the mean readout of a tick to the force on the key at `position` (m). Returns
+    /// `true` if no limit has changed that force.
     fn render(
         &mut self,
         tick: u64,
@@ -463,7 +454,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.simulator.set_model(model);
         self.energy.auditor.forget();
         self.revision = values.revision();
-        // What was at rest may not be any more, and what was stored is another amount.
+        // The state may no longer be at rest, and the stored energy differs.
         self.rest = RestDetector::new(*self.simulator.state(), self.constants.h);
         self.begin_account();
         true
@@ -485,7 +476,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         if model.entry().is(entry) {
             self.memory.succeed(memory);
         } else {
-            // What another version calls its input may be something else.
+            // The input of another version may have another meaning.
             self.memory.input.succeed(&memory.input);
             let newest = self.memory.input.newest();
             if let Some(coupling) = &mut self.memory.coupling {
@@ -511,12 +502,12 @@ where
     }
 }
 
-/// Turns the guard that sounds into a strike, and notes changes of mode.
+/// Converts the sounding guard to a strike, and records changes of mode.
 struct Strikes<'a> {
     tick: u64,
     events: &'a mut Events,
     switches: &'a mut Switches,
-    /// What events took from the model's key so far (readout s).
+    /// Impulse of the events so far on the model's key (readout s).
     impulse: f64,
 }
 
@@ -542,14 +533,13 @@ impl<M: Playable> Watch<M> for Strikes<'_> {
     }
 }
 
-/// A strike at `speed` (m/s), as loud as the instrument has it.
+/// Returns a strike at `speed` (m/s), with the loudness of the instrument.
 fn strike<M: Playable>(model: &M, speed: f64) -> KeyEvent {
     let midi = model.midi();
     let loudness = Loudness { hammer_speed: hammer_speed(&midi, speed), velocity: midi.velocity };
     KeyEvent::Strike { speed, loudness }
 }
 
-/// Returns the work of a tick in the scheduler's terms.
 const fn voice_work(work: &Work) -> VoiceWork {
     VoiceWork {
         units: work.evaluations(),
@@ -561,7 +551,6 @@ const fn voice_work(work: &Work) -> VoiceWork {
     }
 }
 
-/// Returns the limit of work at which a turn was cut off; 0 if it was not.
 const fn limit_reached(advance: Advance) -> u32 {
     match advance {
         Advance::Capped(Cap::Work(limit)) => limit,

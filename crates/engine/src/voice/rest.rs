@@ -1,53 +1,50 @@
-//! Whether a voice has come to rest, so that its equations can be skipped.
+//! Detects that a voice is at rest, so that its equations can be skipped.
 
 use pode::State;
 
-/// Time without any movement after which a voice sleeps (s).
+/// Time without any motion after which a voice sleeps (s).
 const PATIENCE: f64 = 20e-3;
 
-/// How long a model may swing by no more than a little before its voice sleeps (s): twice the period
-/// of the slowest key.
+/// Time of little motion after which a voice sleeps (s): twice the period of the slowest key.
 const LONG: f64 = 0.5;
 
-/// Motion of a coordinate that is little (rad or m): a tenth of a millimetre at the end of a hammer
-/// of a metre.
+/// Little motion of a coordinate (rad or m): 0.1 mm at the end of a hammer of 1 m.
 const LITTLE: f64 = 1e-4;
 
 /// Change of force that no finger feels (N).
 const UNFELT: f64 = 10e-3;
 
-/// Speed of a coordinate that counts as none (m/s or rad/s): a millimetre takes two seconds.
-///
-/// A part that swings at 5 Hz is this fast where its acceleration is [`STILL_ACCELERATION`].
+/// Speed of a coordinate that counts as none (m/s or rad/s): 1 mm takes 2 s. A body that swings at
+/// 5 Hz is this fast where its acceleration is [`STILL_ACCELERATION`].
 const STILL_SPEED: f64 = 5e-4;
 
-/// Rate of a speed that counts as none (m/s² or rad/s²): of a hammer it means 0.1 mN at the
-/// finger, a tenth of what the wire resolves.
+/// Rate of a speed that counts as none (m/s² or rad/s²): for a hammer 0.1 mN at the finger, a tenth
+/// of the wire's resolution.
 const STILL_ACCELERATION: f64 = 2e-2;
 
-/// Watches a key and its model: they rest when the key stands still and the model does not move, or
-/// has moved for long by so little that nobody feels it, however it moves.
+/// Detects the rest of a key and its model: the key stands still, and the model does not move, or
+/// has for long moved too little to be felt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RestDetector<S> {
-    /// Tick (s).
+    /// Tick period (s).
     h: f64,
     position: f64,
     force: f64,
     /// Ticks for which the key has not moved.
     still: u32,
-    /// Ticks for which the model has not.
+    /// Ticks for which the model has not moved.
     calm: u32,
     /// Ticks since the model moved by more than a little.
     little: u32,
-    /// Where it was then, and the force (N).
+    /// State at that time, and the force (N).
     then: (S, f64),
-    /// So many ticks are rest, and so many are long.
+    /// Ticks that count as rest, and as long.
     patience: u32,
     long: u32,
 }
 
 impl<S: State> RestDetector<S> {
-    /// Nothing is known to be still of a model in `state`; ticks take `h` (s).
+    /// Starts without any rest, from `state`; ticks take `h` (s).
     pub(crate) fn new(state: S, h: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 5000")]
         let ticks = |time: f64| (time / h).round().clamp(1.0, 1e6) as u32;
@@ -64,8 +61,8 @@ impl<S: State> RestDetector<S> {
         }
     }
 
-    /// Takes note of a tick in which the key was at a position (m) and felt a force (N), and the
-    /// model, whose first entries are `coordinates`, went from one state to another.
+    /// Records a tick with the key at a position (m) under a force (N), in which the model, whose
+    /// first entries are `coordinates`, went from one state to another.
     pub(crate) fn observe(
         &mut self,
         (position, force): (f64, f64),
@@ -73,7 +70,7 @@ impl<S: State> RestDetector<S> {
         (before, after): (&S, &S),
     ) {
         let count = |goes_on: bool, ticks: u32| if goes_on { ticks.saturating_add(1) } else { 0 };
-        // Bits, not a tolerance: the encoder says whether the key has moved.
+        // Bits, not a tolerance: the encoder determines if the key has moved.
         self.still = count(self.position.to_bits() == position.to_bits(), self.still);
         (self.position, self.force) = (position, force);
         self.calm = count(!moves(coordinates, (before, after), self.h), self.calm);
@@ -85,7 +82,7 @@ impl<S: State> RestDetector<S> {
         }
     }
 
-    /// The force to hold if the voice sleeps and the key is still at `position` (m); it
+    /// Returns the force to hold if the voice sleeps and the key is still at `position` (m); it
     /// sleeps after `time` at rest.
     pub(crate) fn force_at(&self, position: f64, time: SleepTime) -> Option<f64> {
         let [patience, long] = [self.patience, self.long].map(|ticks| time.of(ticks));
@@ -95,12 +92,12 @@ impl<S: State> RestDetector<S> {
     }
 }
 
-/// How long a voice is at rest before it sleeps.
+/// Time at rest before a voice sleeps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) enum SleepTime {
     #[default]
     Usual,
-    /// A quarter of that, while there is too much to do.
+    /// A quarter of that, while ticks have too little time.
     Short,
 }
 
@@ -113,21 +110,20 @@ impl SleepTime {
     }
 }
 
-/// Whether no coordinate is farther from `then` than a little; what is no number is.
+/// Returns `true` if all coordinates are within a little of `then`; NaN is not.
 fn is_near<S: State>(coordinates: usize, (then, now): (&S, &S)) -> bool {
     let pairs = then.entries().iter().zip(now.entries()).take(coordinates);
     pairs.fold(true, |is_near, (then, now)| is_near & ((now - then).abs() <= LITTLE))
 }
 
-/// Whether a coordinate or a speed changed from `before` to `after`, `h` (s) later, by what
-/// counts as motion.
+/// Returns `true` if a coordinate or a speed moved from `before` to `after`, `h` (s) later.
 ///
-/// Both are asked by their rate: how far something moves in a tick says nothing of how fast it
-/// moves. One that is at the end of a swing has no speed, and one in the middle no acceleration.
+/// Both are judged by their rate, since the motion in a tick depends on its length. A coordinate
+/// at the end of a swing has no speed, and one in the middle no acceleration.
 fn moves<S: State>(coordinates: usize, (before, after): (&S, &S), h: f64) -> bool {
     let pairs = before.entries().iter().zip(after.entries()).enumerate();
     let limit = |index| if index < coordinates { STILL_SPEED } else { STILL_ACCELERATION };
-    // What is no number counts as motion.
+    // NaN counts as motion.
     pairs.map(|(index, (a, b))| (b - a).abs() <= limit(index) * h).any(|is_still| !is_still)
 }
 

@@ -1,41 +1,39 @@
-//! A model's key that other settings, or a pause of the machine, would put elsewhere goes there
-//! slowly.
+//! Slow shift of a model's key to the position that other settings, or a pause of the machine,
+//! require.
 
 use pode::input::Cubic;
 use pode::{Motion, Signal as _};
 
-/// Time from where a model's key was to where other settings put it (s): slower than a hammer could
-/// be thrown by.
+/// Duration of a shift after a change of settings (s): too slow to throw a hammer.
 const FADE: f64 = 0.3;
 
-/// Time in which a model's key makes up for a pause (s). A whole stroke sounds at medium loudness; a
-/// stroke that was nearly complete at the pause sounds hardly louder than it would have.
+/// Duration of a shift after a pause (s). A whole stroke sounds at medium loudness; a stroke that
+/// was nearly complete at the pause sounds hardly louder than it would have.
 const CATCH_UP: f64 = 30e-3;
 
-/// Displacement between a model's key and where the player's would put it, after a change.
+/// Displacement of a model's key from the player's, after a change.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct InputShift {
     /// Displacement at the change (model input).
     whole: f64,
-    /// Fraction of it that is left, 1 to 0.
+    /// Remaining fraction, 1 to 0.
     left: f64,
-    /// Time in which it goes (s).
+    /// Duration of the shift (s).
     fade: f64,
 }
 
 impl InputShift {
-    /// Returns a shift by `displacement` (model input), which begins to go.
     pub(crate) const fn new(displacement: f64) -> Self {
         Self { whole: displacement, left: 1.0, fade: FADE }
     }
 
-    /// Returns a shift by the `displacement` (model input) of a key in a pause: a note that was played
-    /// meanwhile sounds late.
+    /// Returns a shift by the `displacement` (model input) of a key in a pause: a note that was
+    /// played meanwhile sounds late.
     pub(crate) const fn after_pause(displacement: f64) -> Self {
         Self { fade: CATCH_UP, ..Self::new(displacement) }
     }
 
-    /// Returns what is left (model input).
+    /// Returns the remaining displacement (model input).
     pub(crate) fn now(&self) -> f64 {
         self.whole * self.left
     }
@@ -43,7 +41,7 @@ impl InputShift {
     /// Returns the motion `key` over a tick of `h` (s), shifted.
     ///
     /// # Real-time
-    /// One evaluation of the motion, where something is left.
+    /// One evaluation of the motion, if some displacement is left.
     pub(crate) fn follow(&mut self, key: Cubic, h: f64) -> Cubic {
         let before = self.now();
         if before == 0.0 {
