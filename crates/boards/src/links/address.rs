@@ -1,4 +1,4 @@
-//! Addresses of links, as the command line and scenes spell them, and the kinds that they name.
+//! Addresses of links in the syntax of command line and scenes, and the kinds that they name.
 
 use std::fmt;
 
@@ -6,10 +6,10 @@ use super::{BusSide, LINKS, Link};
 use crate::links::{Error, HostClock};
 use crate::plan::{Medium, NoPlan};
 
-/// A link of any kind, as an address opens it.
+/// A link of any kind.
 pub type BoxedLink = Box<dyn Link + Send>;
 
-/// A kind of link. Addresses, scenes, plans and help texts read the list of them, [`LINKS`].
+/// A kind of link. Addresses, scenes, plans and help texts read the list of kinds, [`LINKS`].
 #[derive(Clone, Copy, Debug)]
 pub struct BoardLinkKind {
     /// Scheme of its addresses: `serial` in `serial:/dev/ttyACM0`.
@@ -32,7 +32,6 @@ pub struct BoardLinkKind {
     pub baud: Option<u32>,
     /// `true` if it leads to a program in lockstep, which lives in virtual time only.
     pub is_in_lockstep: bool,
-    /// Opens the link at an address for one end.
     pub open: fn(&Address, BusSide, &HostClock) -> Result<BoxedLink, Error>,
     /// Returns the medium at an address, with the bit rates of arbitration and data (bit/s).
     pub medium: fn(&Address, (u32, u32)) -> Result<Medium, NoPlan>,
@@ -55,7 +54,7 @@ impl BoardLinkKind {
     }
 }
 
-/// Place to which a link leads.
+/// Destination of a link.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Address {
     pub kind: &'static BoardLinkKind,
@@ -66,11 +65,8 @@ pub struct Address {
 }
 
 impl Address {
-    /// Reads `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0`, or another form of
-    /// a kind in [`LINKS`].
-    ///
-    /// # Errors
-    /// A sentence on what is wrong, and what to write.
+    /// Parses `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0`, or another form of
+    /// a kind in [`LINKS`]; the error is a sentence.
     pub fn parse(text: &str) -> Result<Self, String> {
         let unknown = || {
             let forms = listed(LINKS.iter().map(|it| it.forms), " or ");
@@ -89,23 +85,20 @@ impl Address {
         if rest.trim().is_empty() { Err(unknown()) } else { Ok(Self::new(kind, place, baud)) }
     }
 
-    /// Returns the address of `place`, without white space around it. `baud` counts only if
-    /// addresses of this kind have one.
+    /// Returns the address of the trimmed `place`. `baud` counts only if addresses of this kind
+    /// have one.
     pub fn new(kind: &'static BoardLinkKind, place: &str, baud: Option<u32>) -> Self {
         let baud = kind.baud.map(|usual| baud.unwrap_or(usual));
         Self { kind, place: place.trim().to_owned(), baud }
     }
 
-    /// Returns what is typed for it in a shell: in quotes if it has several words.
+    /// Returns the address as typed in a shell: in quotes if it has several words.
     pub fn typed(&self) -> String {
         let text = self.to_string();
         if text.contains(char::is_whitespace) { format!("'{text}'") } else { text }
     }
 
-    /// Opens it for one end, which lives by `clock`.
-    ///
-    /// # Errors
-    /// Says what is wrong with the port, interface or program, and what to do.
+    /// Opens the link for one end, which lives by `clock`.
     pub fn open(&self, side: BusSide, clock: &HostClock) -> Result<BoxedLink, Error> {
         (self.kind.open)(self, side, clock)
     }
@@ -118,7 +111,6 @@ impl fmt::Display for Address {
     }
 }
 
-/// Joins words with commas, and the last one with `or`.
 pub fn listed(words: impl IntoIterator<Item = &'static str>, or: &str) -> String {
     let words: Vec<_> = words.into_iter().collect();
     match words.split_last() {

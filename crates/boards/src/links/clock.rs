@@ -1,4 +1,4 @@
-//! The time by which the host lives: the machine's, or one that passes only where the host waits.
+//! The host's time: the machine's, or a virtual one that passes only while the host waits.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -11,17 +11,15 @@ use crate::links::pause;
 pub enum HostClock {
     /// Reads the machine's monotonic clock.
     Monotonic(fn() -> u64),
-    /// Holds a time that passes only where the host waits, and that all clones share.
+    /// A time that passes only while the host waits, shared by all clones.
     Virtual(Arc<AtomicU64>),
 }
 
 impl HostClock {
-    /// Returns a virtual clock, which begins at 0.
     pub fn virtual_time() -> Self {
         Self::Virtual(Arc::default())
     }
 
-    /// Returns the time now (us).
     pub fn now_us(&self) -> u64 {
         match self {
             Self::Monotonic(read) => read(),
@@ -29,7 +27,7 @@ impl HostClock {
         }
     }
 
-    /// Lets `length` pass: sleeps, or moves virtual time on. Not for the tick.
+    /// Lets `length` pass: sleeps, or advances virtual time. Not for the tick.
     pub fn pause(&self, length: Duration) {
         match self {
             Self::Monotonic(_) => pause(length),
@@ -40,7 +38,7 @@ impl HostClock {
         }
     }
 
-    /// Moves virtual time on to `now_us`, never back. A monotonic clock passes by itself.
+    /// Advances virtual time to `now_us`, never back. A monotonic clock passes by itself.
     pub fn advance_to(&self, now_us: u64) {
         match self {
             Self::Monotonic(_) => {}

@@ -1,11 +1,9 @@
-//! What can be wrong with a link at set-up, as sentences for the operator.
-
 use std::io;
 use std::path::PathBuf;
 
 use crate::links::trouble::{CanTrouble, PortTrouble, ProgramTrouble};
 
-/// Why a link could not be set up.
+/// Reason why a link could not be set up; a sentence for the operator.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     #[error("the serial port {path} cannot be opened: {why}")]
@@ -20,7 +18,6 @@ pub enum Error {
     Pty(io::Error),
     #[error("the system does not list its serial ports: {0}; name one: serial:/dev/ttyACM0")]
     SerialPorts(#[from] serialport::Error),
-    /// A folder or file of the system could not be read.
     #[error("{path} cannot be read: {source}; see to its rights")]
     Unreadable { path: PathBuf, source: io::Error },
 }

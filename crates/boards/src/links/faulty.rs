@@ -1,19 +1,17 @@
-//! A link that loses, repeats, damages and delays, the same way in every run.
-//!
-//! Faults come from a script (from this exchange to that one) or by chance from a seed.
+//! A link that loses, repeats, damages and delays frames, equally in every run. Faults come from a
+//! script (at stated exchanges) or by chance from a seed.
 
 use std::ops::Range;
 
 use super::random::Random;
 use super::{Link, QueuedFrame, RecvError, SendError};
 
-/// Frames that can be on their way at once, in each direction; more are dropped.
+/// Maximum number of delayed frames in each direction; more are dropped.
 const MAX_DELAYED: usize = 32;
 
-/// What happens to a frame, or to the link.
+/// Fault of a frame, or of the link.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LinkFault {
-    /// The frame never arrives.
     Drop,
     /// The frame arrives twice.
     Duplicate,
@@ -21,11 +19,11 @@ pub enum LinkFault {
     FlipBit,
     /// The frame arrives that many exchanges later.
     Delay(u32),
-    /// The link says that the other end is gone; by chance, the frame is dropped unsaid.
+    /// The link reports that the other end is gone; by chance, the frame is dropped silently.
     Down,
 }
 
-/// Which way a frame goes, as the host sees it.
+/// Direction of a frame, from the host's view.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
     Send,
@@ -35,48 +33,46 @@ pub enum Direction {
 /// A fault at stated exchanges.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Scripted {
-    /// From the first of these exchanges up to, not including, the last.
+    /// Half-open range of these exchanges.
     pub exchanges: Range<u64>,
     pub direction: Direction,
-    /// What happens to every frame then.
+    /// Fault of every frame in them.
     pub fault: LinkFault,
 }
 
 /// A fault that happens by chance.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Chance {
-    /// Share of the frames that it happens to, `0 ..= 1`, both ways.
+    /// Fraction of the frames with this fault, `0 ..= 1`, both ways.
     pub probability: f64,
     pub fault: LinkFault,
 }
 
-/// What shall go wrong on a link; by default, nothing.
+/// Faults of a link; none by default.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct FaultPlan {
-    /// Where chance starts from; the same seed gives the same faults.
+    /// Random seed; the same seed causes the same faults.
     pub seed: u64,
-    /// Faults by chance. A frame meets at most one, so their probabilities add up.
+    /// Faults by chance. A frame has at most one, so their probabilities add up.
     pub chances: Vec<Chance>,
-    /// Faults at stated exchanges; they go before chance, the first that fits counts.
+    /// Faults at stated exchanges, which precede chance; the first that fits counts.
     pub script: Vec<Scripted>,
 }
 
-/// How often each fault has happened.
+/// Counts of the faults.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FaultCounts {
-    /// Frames that were dropped.
     pub dropped: u64,
-    /// Frames that came twice.
+    /// Frames that arrived twice.
     pub duplicated: u64,
-    /// Frames with an inverted bit.
     pub flipped: u64,
-    /// Frames that came later.
+    /// Frames that arrived later.
     pub delayed: u64,
     /// Calls that found the link down.
     pub down: u64,
 }
 
-/// A plan under way: chance, the exchange, and the frames that are held back.
+/// A running plan: chance, exchange, and delayed frames.
 #[derive(Clone, Debug)]
 pub struct Faults {
     plan: FaultPlan,
@@ -102,7 +98,7 @@ impl Faults {
         }
     }
 
-    /// Goes on to the next exchange, which is what delays and scripts count in.
+    /// Advances to the next exchange, the unit of delays and scripts.
     pub const fn next_exchange(&mut self) {
         self.exchange += 1;
     }
@@ -112,12 +108,11 @@ impl Faults {
         Faulty { link, faults: self }
     }
 
-    /// Returns how often each fault has happened.
     pub const fn counts(&self) -> FaultCounts {
         self.counts
     }
 
-    /// Tells whether the script has the link down for this call.
+    /// Returns `true` if the script has the link down for this call.
     fn is_down(&mut self, direction: Direction) -> bool {
         let down = self.scripted(direction) == Some(LinkFault::Down);
         self.counts.down += u64::from(down);
@@ -131,7 +126,7 @@ impl Faults {
         self.plan.script.iter().find(fits).map(|step| step.fault)
     }
 
-    /// Draws the fault that chance has for one frame.
+    /// Draws the random fault of one frame.
     fn chance(&mut self) -> Option<LinkFault> {
         if self.plan.chances.is_empty() {
             return None;
@@ -146,7 +141,7 @@ impl Faults {
         None
     }
 
-    /// Applies the next fault to `queued`; returns how it goes on.
+    /// Applies the next fault to `queued`; returns the frame's fate.
     fn disturb(&mut self, direction: Direction, queued: &mut QueuedFrame) -> Passage {
         let fault = self.scripted(direction).or_else(|| self.chance());
         match fault {
@@ -171,18 +166,17 @@ impl Faults {
         }
     }
 
-    /// Holds a received frame back; one that finds no place is dropped.
+    /// Delays a received frame, or drops it without room.
     fn hold_received(&mut self, due: u64, queued: QueuedFrame) {
         self.counts.dropped += u64::from(!self.received.hold(due, queued));
     }
 
-    /// Holds a frame back that was to be sent; one that finds no place is dropped.
+    /// Delays a frame to be sent, or drops it without room.
     fn hold_sent(&mut self, due: u64, queued: QueuedFrame) {
         self.counts.dropped += u64::from(!self.sent.hold(due, queued));
     }
 }
 
-/// How a frame goes on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Passage {
     Now,
@@ -191,7 +185,7 @@ enum Passage {
     At(u64),
 }
 
-/// A link with faults on the way, seen from the host's end.
+/// A link with faults, seen from the host's end.
 #[derive(Debug)]
 pub struct Faulty<'a, L> {
     link: L,
@@ -246,7 +240,7 @@ impl<L: Link> Link for Faulty<'_, L> {
 }
 
 impl<L: Link> Faulty<'_, L> {
-    /// Sends the delayed frames whose time has come.
+    /// Sends the delayed frames that are due.
     fn release(&mut self) {
         for _ in 0..MAX_DELAYED {
             let Some(queued) = self.faults.sent.due(self.faults.exchange) else { return };
@@ -256,7 +250,6 @@ impl<L: Link> Faulty<'_, L> {
     }
 }
 
-/// Frames that wait for their exchange.
 #[derive(Clone, Debug)]
 struct DelayedFrames {
     places: Box<[(u64, QueuedFrame)]>,
@@ -269,7 +262,7 @@ impl DelayedFrames {
         Self { places, n: 0 }
     }
 
-    /// Keeps a frame until `due`; says whether there was a place.
+    /// Keeps a frame until `due`; returns `false` without room.
     fn hold(&mut self, due: u64, queued: QueuedFrame) -> bool {
         let place = self.places.get_mut(self.n);
         let kept = place.map(|place| *place = (due, queued)).is_some();
@@ -277,7 +270,7 @@ impl DelayedFrames {
         kept
     }
 
-    /// Takes out the frame that has waited longest among those due at `exchange`.
+    /// Removes the oldest frame among those due at `exchange`.
     fn due(&mut self, exchange: u64) -> Option<QueuedFrame> {
         let held = &mut self.places[..self.n];
         let first = held.iter().position(|(due, _)| *due <= exchange)?;
@@ -287,7 +280,6 @@ impl DelayedFrames {
     }
 }
 
-/// Inverts one bit of a frame.
 fn flip(random: &mut Random, queued: &mut QueuedFrame) {
     let draw = random.next();
     let bits = queued.len as u64 * 8;

@@ -4,15 +4,15 @@ use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
 
 use super::{Health, Link, RecvError, SendError};
 
-/// Pieces that are taken from the stream for one frame; the rest waits for the next call.
+/// Pieces to read from the stream for one frame; the rest waits for the next call.
 const MAX_PIECES: usize = 64;
 
-/// What is remembered of a stream between two calls.
+/// State of a stream between two calls.
 #[derive(Clone, Debug)]
 pub struct Framing {
     deframer: Deframer,
     piece: [u8; MAX_WIRE],
-    /// The part of `piece` that was not read yet.
+    /// The unread range of `piece`.
     rest: std::ops::Range<usize>,
 }
 
@@ -23,17 +23,17 @@ impl Default for Framing {
 }
 
 impl Framing {
-    /// Forgets what came of a frame that is not whole, as after a stream was opened anew.
+    /// Drops an incomplete frame, as after the stream was reopened.
     pub fn forget(&mut self) {
         *self = Self::default();
     }
 
-    /// Puts `bytes`, which carries any pieces of a stream, between a caller and frames.
+    /// Adds frames to `bytes`, which carries any pieces of a stream.
     pub const fn around<L: Link>(&mut self, bytes: L) -> Framed<'_, L> {
         Framed { framing: self, bytes }
     }
 
-    /// Reads on in the piece; returns the outcome of the frame that it ends, if it does.
+    /// Continues reading the piece; returns the outcome of the frame that it ends, if any.
     fn read(&mut self, buffer: &mut [u8]) -> Option<Result<usize, RecvError>> {
         for place in self.rest.by_ref() {
             if let Some(outcome) = self.deframer.push(self.piece[place]) {
@@ -56,7 +56,7 @@ fn copy(frame: &[u8], buffer: &mut [u8]) -> Result<usize, RecvError> {
     Ok(len)
 }
 
-/// A link over something that carries bytes.
+/// A link over a carrier of bytes.
 #[derive(Debug)]
 pub struct Framed<'a, L> {
     framing: &'a mut Framing,
@@ -66,10 +66,7 @@ pub struct Framed<'a, L> {
 impl<L: Link> Framed<'_, L> {
     /// Sends `frame` with an inverted bit in its second byte, so that its checksum is wrong.
     ///
-    /// The first three bytes of `frame` must not be zero: zeros stand elsewhere on the stream.
-    ///
-    /// # Errors
-    /// If the link rejects the frame.
+    /// The first three bytes of `frame` must not be zero: stuffing moves zeros on the stream.
     pub(super) fn send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
         let (mut wire, len) = wire(frame)?;
         // The byte stuffing puts one byte before the frame.

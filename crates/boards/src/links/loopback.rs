@@ -1,13 +1,10 @@
-//! A wire in memory: what goes in at one end comes out at the other, frame by frame.
-//!
-//! A full queue loses its oldest frame, which the newest has made worthless, and counts it.
+//! A wire in memory. A full queue drops and counts its oldest frame, which the newest has made
+//! worthless.
 
 use super::{Link, QueuedFrame, RecvError, SendError};
 
-/// Both directions between a host and a board.
-///
-/// Its memory is taken when it is made, and it is meant for one thread: its owner lends out one
-/// end at a time.
+/// Both directions between a host and a board, for one thread: the owner lends out one end at a
+/// time. Allocates only when it is made.
 #[derive(Clone, Debug)]
 pub struct Loopback {
     to_board: Queue,
@@ -20,17 +17,15 @@ impl Loopback {
         Self { to_board: Queue::new(capacity), to_host: Queue::new(capacity) }
     }
 
-    /// Returns the end that the host sends to and receives from.
     pub const fn host_end(&mut self) -> LoopbackEnd<'_> {
         LoopbackEnd { out: &mut self.to_board, back: &mut self.to_host }
     }
 
-    /// Returns the end that the board sends to and receives from.
     pub const fn board_end(&mut self) -> LoopbackEnd<'_> {
         LoopbackEnd { out: &mut self.to_host, back: &mut self.to_board }
     }
 
-    /// Returns how many frames were replaced before they were received.
+    /// Returns the number of frames that were replaced before they were received.
     pub const fn dropped(&self) -> u64 {
         self.to_board.dropped + self.to_host.dropped
     }

@@ -1,19 +1,19 @@
-//! Links: what carries frames between the host and boards, without waiting.
+//! Links carry frames between the host and boards, without waiting.
 //!
 //! One `try_send` puts one frame of the protocol on the wire, whole or not at all; one
-//! `try_recv` brings one. What carries bytes only becomes a link by [`framed`].
+//! `try_recv` returns one. [`framed`] makes a link of a carrier of bytes.
 //!
-//! | module | what stands there |
+//! | module | contents |
 //! |---|---|
-//! | [`serial`], [`can`] | the real ones, opened by an [`address`] |
+//! | [`serial`], [`can`] | real links, opened by an [`address`] |
 //! | [`loopback`] | a wire in memory |
 //! | [`framed`] | frames on a stream of bytes |
-//! | [`reconnecting`] | a link that is opened again when it comes back |
-//! | [`lockstep`] | a program that lives boards, in virtual time |
+//! | [`reconnecting`] | a link that is reopened when it comes back |
+//! | [`lockstep`] | a program that simulates boards, in virtual time |
 //! | [`faulty`], [`wire`] | frames and bytes that are lost, late or damaged on demand |
-//! | [`discovery`] | the ports and interfaces that this machine has, and why they cannot be used |
+//! | [`discovery`] | the ports and interfaces of this machine, and obstacles to their use |
 //!
-//! Not here: what frames mean, keys, forces.
+//! Not here: the meaning of frames, keys, forces.
 
 pub mod address;
 pub mod can;
@@ -42,43 +42,42 @@ use address::BoardLinkKind;
 use firmware_protocol::key::BoardId;
 use queued_frame::QueuedFrame;
 
-/// All kinds of links that an address can name.
 pub static LINKS: &[BoardLinkKind] = &[serial::KIND, can::FD, can::CLASSIC, lockstep::KIND];
 
-/// Which end of a link this is; a bus passes on only what is for it.
+/// End of a link; a bus delivers only the frames for that end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BusSide {
-    /// The host: hears what boards say.
+    /// Receives the frames of boards.
     Host,
-    /// A board: hears what is for it and for all boards.
+    /// Receives the frames for this board and for all boards.
     Board(BoardId),
 }
 
-/// A transport that was opened before and never blocks, but for those of [`lockstep`].
+/// An open transport that never blocks, except for those of [`lockstep`].
 pub trait Link {
-    /// Hands over a frame.
+    /// Sends a frame.
     ///
     /// # Errors
-    /// The frame was not taken, nor will be; the caller drops it and goes on.
+    /// The link rejected the frame and does not retry. The caller drops it.
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError>;
 
-    /// Writes the next frame into `buffer`; returns its length, or nothing if there is none.
+    /// Writes the next frame into `buffer`; returns its length, or `None` without a frame.
     ///
     /// # Errors
-    /// What had come is lost; the caller goes on.
+    /// The received bytes are lost; the caller continues.
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError>;
 
-    /// Returns what the wire itself has said of its condition; nothing if it never says anything.
+    /// Returns the wire's own reports of its condition; the default if it has none.
     fn health(&self) -> Health {
         Health::default()
     }
 
-    /// Returns why the link is down for good, if it is.
+    /// Returns the reason if the link is down for good.
     fn fault(&self) -> Option<&Error> {
         None
     }
 
-    /// Sends `frame` with a wrong checksum; `None` on a link whose checksums are not ours.
+    /// Sends `frame` with a wrong checksum; `None` on a link whose hardware makes the checksums.
     fn try_send_damaged(&mut self, _frame: &[u8]) -> Option<Result<(), SendError>> {
         None
     }
@@ -128,7 +127,7 @@ impl<L: Link + ?Sized> Link for Box<L> {
     }
 }
 
-/// Why a frame was not taken.
+/// Reason why a frame was rejected.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SendError {
     /// The frame is longer than this link carries.
@@ -136,13 +135,13 @@ pub enum SendError {
         /// Length of the frame (bytes).
         len: usize,
     },
-    /// There is no room: what was sent before is still on its way.
+    /// There is no room: earlier frames are still on their way.
     Full,
-    /// The other end is not there.
+    /// The other end is disconnected.
     Down,
 }
 
-/// Why nothing could be received.
+/// Reason for a failed reception.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RecvError {
     /// A frame is longer than the buffer, and lost.
@@ -150,38 +149,37 @@ pub enum RecvError {
         /// Length of the frame (bytes).
         len: usize,
     },
-    /// Something came that was no frame: checksum, stuffing, length, a lost piece, or an
-    /// identifier that does not agree.
+    /// The received bytes were no frame: checksum, stuffing, length, a lost piece, or a wrong
+    /// identifier.
     Corrupt,
-    /// The other end is not there.
+    /// The other end is disconnected.
     Down,
 }
 
-/// The condition of a wire, as its controller and driver tell it.
+/// Condition of a wire, from its controller and driver.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Health {
-    /// Whether its controller takes part in the traffic.
+    /// Participation of its controller in the traffic.
     pub state: WireState,
-    /// Transmission errors, as the controller counts them up and down.
+    /// Transmission errors, which the controller counts up and down.
     pub transmit_errors: u8,
     pub receive_errors: u8,
-    /// Reports of errors that came.
+    /// Number of error reports.
     pub reports: u64,
-    /// Times that the controller was started again after it had left the bus.
+    /// Restarts of the controller after it had left the bus.
     pub restarts: u64,
-    /// Frames that were dropped here, because those before were still on their way or found no
-    /// room.
+    /// Frames that the host dropped because earlier ones were on their way, or for lack of room.
     pub dropped: u64,
 }
 
-/// What a controller does.
+/// State of a controller on its wire.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub enum WireState {
     #[default]
     Active,
     /// It has counted many errors.
     Warning,
-    /// It may not complain any more.
+    /// It may not signal errors any more.
     Passive,
     /// It has left the bus.
     Off,

@@ -1,20 +1,17 @@
-//! Why a device that is there cannot be used.
-
 use std::fmt;
 use std::path::PathBuf;
 
-/// Why something that is there cannot be used; a sentence when displayed.
+/// Reason why an existing device cannot be used; a sentence when displayed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Obstacle {
     /// The user may not read and write the device.
     Forbidden {
         path: PathBuf,
-        /// The group that may, if a group may.
+        /// The group that may, if any.
         group: Option<String>,
     },
-    /// The interface is down.
     Down {
-        /// What brings it up.
+        /// Command that brings it up.
         command: String,
     },
     /// The interface is up, but carries no frames.

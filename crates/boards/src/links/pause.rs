@@ -1,8 +1,6 @@
-//! Waiting, for set-up and for threads beside the tick; never in it.
-
 use std::time::Duration;
 
-/// Lets the calling thread sleep for `length`.
+/// Sleeps for `length`: for set-up and threads beside the tick, never in it.
 #[expect(clippy::disallowed_methods, reason = "the only place that sleeps, and none of the tick")]
 pub fn pause(length: Duration) {
     std::thread::sleep(length);

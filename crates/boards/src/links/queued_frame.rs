@@ -1,11 +1,9 @@
-//! Frames as they stand in the queues of wires in memory.
-
 use super::{RecvError, SendError};
 
-/// The longest frame of the wires in memory: one with its framing (bytes).
+/// Longest frame of the wires in memory: one with its framing (bytes).
 pub const MAX_LEN: usize = firmware_protocol::serial::MAX_WIRE;
 
-/// A frame as it stands in a queue.
+/// A frame in the queue of a wire in memory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QueuedFrame {
     pub(crate) bytes: [u8; MAX_LEN],
@@ -15,7 +13,6 @@ pub(crate) struct QueuedFrame {
 impl QueuedFrame {
     pub(crate) const EMPTY: Self = Self { bytes: [0; MAX_LEN], len: 0 };
 
-    /// Returns a copy of `frame`.
     pub(crate) fn new(frame: &[u8]) -> Result<Self, SendError> {
         let mut queued = Self { len: frame.len(), ..Self::EMPTY };
         let place = queued.bytes.get_mut(..frame.len());
@@ -27,7 +24,6 @@ impl QueuedFrame {
         &self.bytes[..self.len]
     }
 
-    /// Copies the frame into `buffer`; returns its length.
     pub(crate) fn unpack(&self, buffer: &mut [u8]) -> Result<usize, RecvError> {
         let place = buffer.get_mut(..self.len);
         place.ok_or(RecvError::BufferTooShort { len: self.len })?.copy_from_slice(self.as_slice());

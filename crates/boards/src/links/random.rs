@@ -1,13 +1,9 @@
-//! Chance that is the same on every machine.
-
-/// `SplitMix64`.
-///
-/// G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", 2014.
+/// `SplitMix64`: G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number
+/// generators", 2014.
 #[derive(Clone, Copy, Debug)]
 pub struct Random(pub u64);
 
 impl Random {
-    /// Returns the next 64 bits.
     pub const fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let z = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -20,7 +16,7 @@ impl Random {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Tells whether something happens that happens with this probability, `0 ..= 1`.
+    /// Returns `true` with this probability, `0 ..= 1`.
     pub fn happens(&mut self, probability: f64) -> bool {
         0.0 < probability && self.unit() < probability
     }

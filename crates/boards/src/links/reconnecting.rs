@@ -1,7 +1,5 @@
-//! A link that is opened again when it goes down: a cable that was pulled and put back.
-//!
-//! A thread of its own does what may take long, opening and closing; the tick's side only
-//! looks into a ring.
+//! A link that is reopened when it goes down, as after a cable was unplugged and replugged. A
+//! separate thread does the slow opening and closing; the tick's side only polls a ring.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,31 +11,28 @@ use super::{Health, Link, RecvError, SendError};
 use crate::links::Error;
 use crate::links::pause;
 
-/// A link of any kind.
 type AnyLink = Box<dyn Link + Send>;
 
-/// Time between two attempts.
 const RETRY: Duration = Duration::from_millis(200);
 
-/// A link that is opened again when it goes down.
+/// A link that is reopened when it goes down.
 pub struct ReconnectingLink {
     link: Option<AnyLink>,
-    /// Links that were opened.
     opened: Consumer<AnyLink>,
     /// Links that went down, on their way to be closed.
     closed: Producer<AnyLink>,
     shared: Arc<ReconnectState>,
-    /// What those before this one were like, and counted.
+    /// Condition and counts of the earlier links.
     before: Health,
     reopened: u64,
 }
 
-/// What both sides tell each other.
+/// State shared by both sides.
 #[derive(Debug, Default)]
 struct ReconnectState {
-    /// A new link is wanted.
+    /// `true` if a new link is wanted.
     wanted: AtomicBool,
-    /// The owner is gone.
+    /// `true` if the owner is gone.
     over: AtomicBool,
 }
 
@@ -53,7 +48,7 @@ impl ReconnectingLink {
     /// Opens a link by `open`, now and whenever it has gone down.
     ///
     /// # Errors
-    /// Why it could not be opened the first time, or the system has no thread left.
+    /// If the first opening fails, or the system has no thread left.
     pub fn open(open: impl Fn() -> Result<AnyLink, Error> + Send + 'static) -> Result<Self, Error> {
         let link = Some(open()?);
         let (newly, opened) = RingBuffer::new(1);
@@ -65,12 +60,11 @@ impl ReconnectingLink {
         Ok(Self { link, opened, closed, shared, before: Health::default(), reopened: 0 })
     }
 
-    /// Returns how often it was opened again.
     pub const fn reopened(&self) -> u64 {
         self.reopened
     }
 
-    /// Returns the link, if there is one by now.
+    /// Returns the link, if one is open.
     fn current(&mut self) -> Option<&mut AnyLink> {
         if self.link.is_none()
             && let Ok(link) = self.opened.pop()
@@ -81,7 +75,7 @@ impl ReconnectingLink {
         self.link.as_mut()
     }
 
-    /// Lets a link go that is down, and asks for another.
+    /// Gives a link that is down away, and requests another.
     fn lose(&mut self) {
         let Some(link) = self.link.take() else { return };
         let before = added(self.before, link.health());
@@ -90,7 +84,7 @@ impl ReconnectingLink {
                 self.before = before;
                 self.shared.wanted.store(true, Ordering::Release);
             }
-            // The thread that closes is behind: it is tried again.
+            // The closing thread is behind: try again later.
             Err(rtrb::PushError::Full(link)) => self.link = Some(link),
         }
     }
@@ -127,7 +121,7 @@ impl Link for ReconnectingLink {
     }
 }
 
-/// Returns what a link is like, with what those before it have counted.
+/// Returns the condition of a link, with the counts of those before it.
 fn added(before: Health, now: Health) -> Health {
     Health {
         reports: before.reports + now.reports,
@@ -137,7 +131,7 @@ fn added(before: Health, now: Health) -> Health {
     }
 }
 
-/// Closes what went down, and opens anew, until the owner is gone.
+/// Closes links that went down, and opens new ones, until the owner is gone.
 fn attend(
     open: &impl Fn() -> Result<AnyLink, Error>,
     mut newly: Producer<AnyLink>,

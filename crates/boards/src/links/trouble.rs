@@ -1,4 +1,4 @@
-//! Why a link cannot be used: the fault and its remedy.
+//! Reasons why a link cannot be used: the fault and its remedy.
 
 use std::io;
 use std::path::PathBuf;
@@ -6,36 +6,35 @@ use std::process::ExitStatus;
 
 use crate::links::obstacle::Obstacle;
 
-/// Why a serial port could not be opened.
+/// Reason why a serial port could not be opened.
 #[derive(Debug, thiserror::Error)]
 pub enum PortTrouble {
-    /// Nothing has this name.
+    /// No file has this name.
     #[error("it is not there; plug the board in, `letoff devices` lists the ports there are")]
     Missing,
-    /// The user may not.
+    /// The user has no rights on it.
     #[error("{0}")]
     Forbidden(Obstacle),
-    /// The user may not, and the file's rights do not say why.
+    /// The user has no rights, for an unknown reason.
     #[error("the system does not allow it; see its rights: ls -l {path}")]
     Refused { path: PathBuf },
-    /// Another program has it.
+    /// Another program uses it.
     #[error("another program has it open; see which one: fuser -v {path}")]
     Busy { path: PathBuf },
-    /// It is there, and is something else, or broken.
+    /// It is no serial port, or broken.
     #[error("it does not work as a serial port: {0}; `letoff devices` says what is behind each")]
     Unfit(io::Error),
 }
 
-/// Why a CAN interface could not be opened.
+/// Reason why a CAN interface could not be opened.
 #[derive(Debug, thiserror::Error)]
 pub enum CanTrouble {
-    /// Not on this system.
     #[error("CAN is for Linux, as SocketCAN; connect the boards by serial ports")]
     NotLinux,
-    /// Nothing has this name.
+    /// No interface has this name.
     #[error("there is no CAN interface of that name; {there_are}")]
     Missing {
-        /// Those that there are, or why there is none.
+        /// List of the interfaces, or the reason why there is none.
         there_are: String,
     },
     #[error("{0}")]
@@ -43,23 +42,23 @@ pub enum CanTrouble {
     /// It carries no CAN FD frames.
     #[error("it is not set up for CAN FD (MTU 16); do that: {command}; or use classic CAN")]
     NoFd {
-        /// What sets it up.
+        /// Command that sets it up.
         command: String,
     },
-    /// The process may not.
+    /// The process has no rights.
     #[error(
         "this process may not open CAN sockets; a container or a security policy keeps it from \
          the address family AF_CAN: allow it there, or run outside"
     )]
     Forbidden,
-    /// The kernel does not know CAN.
+    /// The kernel has no CAN.
     #[error("this kernel has no CAN sockets; load them: sudo modprobe can-raw")]
     NoSockets,
     #[error("{0}; `letoff devices` says how it is set up")]
     Other(io::Error),
 }
 
-/// Why a program cannot be used in lockstep.
+/// Reason why a program cannot be used in lockstep.
 #[derive(Debug, thiserror::Error)]
 pub enum ProgramTrouble {
     /// The host lives by the machine's clock.
@@ -71,7 +70,7 @@ pub enum ProgramTrouble {
     NotStarted(io::Error),
     #[error("it ended ({0}) while the host still needed it; see what it wrote on stderr")]
     Ended(ExitStatus),
-    /// An answer, or the rest of one, did not come.
+    /// An answer, or the rest of one, did not arrive.
     #[error(
         "within 5 s {came} of {announced} bytes of its answer came; see that it answers every \
          exchange with two bytes of length and so many more, and flushes its stdout"

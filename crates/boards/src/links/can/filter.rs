@@ -1,4 +1,4 @@
-//! Which identifiers an end of the bus hears.
+//! Identifiers that an end of the bus receives.
 
 use firmware_protocol::can::Class;
 use firmware_protocol::frame::ALL_BOARDS;
@@ -9,12 +9,10 @@ use super::BusSide;
 const NODE_BITS: u16 = 7;
 /// Linux' marks of extended and remote frames, which are no frames of the protocol.
 const FOREIGN: u32 = 0xC000_0000;
-/// All bits of an identifier.
 const EXACT: u32 = 0x7FF;
-/// The bits of the class.
 const CLASS_ONLY: u32 = 0x780;
 
-/// Identifiers and the bits of them that count; what fits any is heard.
+/// Identifiers and masks of their significant bits; a frame that fits any is received.
 pub(super) fn filters(side: BusSide) -> Vec<(u32, u32)> {
     match side {
         BusSide::Host => {

@@ -1,7 +1,7 @@
-//! What the reports of a CAN controller say of its condition.
+//! Condition of a CAN controller, from its reports.
 //!
-//! Classes and bytes as in Linux' `linux/can/error.h`. Byte 1 tells the controller's state,
-//! bytes 6 and 7 its counters.
+//! Classes and bytes as in Linux' `linux/can/error.h`. Byte 1 is the controller's state, bytes 6
+//! and 7 are its counters.
 
 use super::bus::ControllerReport;
 use crate::links::{Health, WireState};
@@ -10,7 +10,7 @@ use crate::links::{Health, WireState};
 const CONTROLLER: u32 = 0x004;
 /// Class: it has left the bus.
 const BUS_OFF: u32 = 0x040;
-/// Class: it was started again.
+/// Class: it was restarted.
 const RESTARTED: u32 = 0x100;
 /// Class: the counters are filled in.
 const COUNTERS: u32 = 0x200;
@@ -23,7 +23,6 @@ const PASSIVE: u8 = 0x10 | 0x20;
 const ACTIVE: u8 = 0x40;
 
 impl Health {
-    /// Takes a report into account.
     pub(super) fn note(&mut self, report: ControllerReport) {
         let ControllerReport { class, data: [_, state, .., transmit, receive] } = report;
         let state = if class & CONTROLLER == 0 { None } else { controller_state(state) };
@@ -38,14 +37,14 @@ impl Health {
         if class & BUS_OFF != 0 {
             self.state = WireState::Off;
         }
-        // Kernels before 6.0 fill the counters in when the state changes, and do not say so.
+        // Kernels before 6.0 fill the counters in when the state changes, without this class.
         if class & COUNTERS != 0 || state.is_some() {
             (self.transmit_errors, self.receive_errors) = (transmit, receive);
         }
     }
 }
 
-/// Returns the worst state that byte 1 tells; none if it tells of something else.
+/// Returns the worst state in byte 1; `None` if it contains other reports.
 const fn controller_state(byte: u8) -> Option<WireState> {
     if byte & PASSIVE != 0 {
         Some(WireState::Passive)

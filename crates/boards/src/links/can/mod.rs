@@ -1,8 +1,7 @@
 //! CAN: the protocol's frames on a bus that several boards share.
 //!
-//! On CAN FD a frame of the protocol is one frame of the bus, padded to a length that the bus
-//! has; on classic CAN it travels in pieces. Everything but the socket is plain arithmetic and
-//! knows no operating system.
+//! On CAN FD a frame of the protocol is one frame of the bus, padded to a valid length; on classic
+//! CAN it travels in pieces. All but the socket is plain arithmetic without an operating system.
 
 mod bus;
 mod classic;
@@ -20,7 +19,6 @@ use super::{BusSide, Health, Link, RecvError, SendError};
 use crate::links::Error;
 use crate::plan::{Medium, NoPlan};
 
-/// CAN FD, as addresses and scenes name it.
 pub const FD: BoardLinkKind = BoardLinkKind {
     scheme: "can",
     forms: "can:INTERFACE",
@@ -36,7 +34,6 @@ pub const FD: BoardLinkKind = BoardLinkKind {
     medium: |address, (nominal, data)| medium(&address.place, Medium::CanFd { nominal, data }),
 };
 
-/// Classic CAN, as addresses and scenes name it.
 pub const CLASSIC: BoardLinkKind = BoardLinkKind {
     scheme: "classic-can",
     forms: "classic-can:INTERFACE",
@@ -55,7 +52,7 @@ fn medium(interface: &str, real: Medium) -> Result<Medium, NoPlan> {
     if is_virtual { Err(NoPlan::Virtual) } else { Ok(real) }
 }
 
-/// What a bus carries.
+/// Kind of frames on a bus.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CanMode {
     /// CAN FD with a second, faster bit rate: up to 64 bytes in a frame.
@@ -64,13 +61,12 @@ pub enum CanMode {
     Classic,
 }
 
-/// A CAN interface that was opened, and never waits.
+/// An open CAN interface, which never waits.
 ///
-/// Frames that are not of the protocol have no identifier: they are [`SendError::TooLong`],
-/// whatever their length. On CAN FD a frame arrives with the zeros that pad it.
+/// Frames outside of the protocol have no identifier: they are [`SendError::TooLong`], whatever
+/// their length. On CAN FD a frame arrives with its padding zeros.
 ///
-/// An interface that is taken down says so, and works again when it is up; one that was
-/// removed must be opened anew.
+/// An interface that is down works again when it is up; one that was removed must be reopened.
 #[derive(Debug)]
 pub struct Can {
     #[cfg(target_os = "linux")]
@@ -82,9 +78,6 @@ pub struct Can {
 #[cfg(target_os = "linux")]
 impl Can {
     /// Opens `interface` in `mode` for one end of the bus.
-    ///
-    /// # Errors
-    /// Says what is wrong with the interface, and what to do.
     pub fn open(interface: &str, mode: CanMode, side: BusSide) -> Result<Self, Error> {
         let refused = |why| Error::Can { interface: interface.to_owned(), why };
         open::check(interface, mode).map_err(refused)?;
@@ -93,7 +86,7 @@ impl Can {
         Ok(Self { port: CanPort::new(socket, mode) })
     }
 
-    /// Returns the frames that were dropped because there was no room for them.
+    /// Returns the number of frames that were dropped for lack of room.
     pub const fn dropped(&self) -> u64 {
         self.port.dropped()
     }
@@ -119,16 +112,12 @@ impl Link for Can {
 
 #[cfg(not(target_os = "linux"))]
 impl Can {
-    /// Refuses: CAN is for Linux.
-    ///
-    /// # Errors
-    /// Says so.
+    /// Fails: CAN requires Linux.
     pub fn open(interface: &str, _mode: CanMode, _side: BusSide) -> Result<Self, Error> {
         let why = super::trouble::CanTrouble::NotLinux;
         Err(Error::Can { interface: interface.to_owned(), why })
     }
 
-    /// Returns the frames that were dropped because there was no room for them.
     pub const fn dropped(&self) -> u64 {
         match self.port {}
     }

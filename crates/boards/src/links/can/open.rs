@@ -1,10 +1,10 @@
-//! What can be told of an interface before and after it is opened.
+//! Checks of an interface before and after it is opened.
 
 use super::CanMode;
 use crate::links::discovery::{CanInterface, Obstacle, known_can_interfaces};
 use crate::links::trouble::CanTrouble;
 
-/// Looks at an interface in the kernel's files; where those are missing, opening will tell.
+/// Checks an interface in the kernel's files; if those are missing, opening will fail instead.
 pub(super) fn check(interface: &str, mode: CanMode) -> Result<(), CanTrouble> {
     let Ok(listing) = known_can_interfaces() else { return Ok(()) };
     let Some(found) = listing.found.iter().find(|can| can.name == interface) else {
@@ -15,7 +15,7 @@ pub(super) fn check(interface: &str, mode: CanMode) -> Result<(), CanTrouble> {
     obstacle(found, mode).map_or(Ok(()), Err)
 }
 
-/// Returns why an interface cannot be used in `mode`.
+/// Returns the reason why an interface cannot be used in `mode`.
 fn obstacle(can: &CanInterface, mode: CanMode) -> Option<CanTrouble> {
     if mode == CanMode::Fd && !can.carries_fd {
         let name = &can.name;
@@ -34,7 +34,7 @@ fn obstacle(can: &CanInterface, mode: CanMode) -> Option<CanTrouble> {
     }
 }
 
-/// Returns what a refusal of the system means, and what to do.
+/// Returns the meaning of a system error, with the remedy.
 #[cfg(target_os = "linux")]
 pub(super) fn trouble(error: std::io::Error) -> CanTrouble {
     use rustix::io::Errno;

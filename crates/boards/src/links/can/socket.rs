@@ -1,4 +1,4 @@
-//! The bus as Linux has it: a raw socket on an interface.
+//! The bus on Linux: a raw socket on an interface.
 
 use std::io;
 
@@ -14,7 +14,6 @@ use super::filter::filters;
 use super::{BusSide, CanMode};
 use crate::links::{RecvError, SendError};
 
-/// A socket that does not wait.
 #[derive(Debug)]
 pub(super) enum Socket {
     Fd(CanFdSocket),
@@ -24,8 +23,8 @@ pub(super) enum Socket {
 impl Socket {
     /// Opens an interface, with filters and all reports.
     ///
-    /// As the kernel has it by default, other sockets of this machine hear what is sent here,
-    /// and this one does not.
+    /// By the kernel's default, other sockets of this machine receive frames sent here; this one
+    /// does not.
     pub(super) fn open(interface: &str, mode: CanMode, side: BusSide) -> io::Result<Self> {
         Ok(match mode {
             CanMode::Fd => Self::Fd(prepare(CanFdSocket::open(interface)?, side)?),
@@ -66,7 +65,7 @@ impl CanBus for Socket {
     }
 }
 
-/// Returns what came to a socket for CAN FD, where a classic frame is out of place.
+/// Converts a frame of a socket for CAN FD, where a classic frame is foreign.
 fn any_arrival(frame: CanAnyFrame) -> BusRead {
     match frame {
         CanAnyFrame::Fd(frame) => data(frame.id(), frame.data()),
@@ -75,7 +74,6 @@ fn any_arrival(frame: CanAnyFrame) -> BusRead {
     }
 }
 
-/// Returns what came to a socket for classic CAN.
 fn classic_arrival(frame: CanFrame) -> BusRead {
     match frame {
         CanFrame::Data(frame) => data(frame.id(), frame.data()),
@@ -96,10 +94,10 @@ fn report(frame: &CanErrorFrame) -> BusRead {
     BusRead::Report(ControllerReport { class: frame.error_bits(), data })
 }
 
-/// Returns why the kernel did not take a frame.
+/// Returns the reason why the kernel rejected a frame.
 ///
-/// No room in the queue, or in the socket, passes; what else it says is that the interface
-/// is down, was removed, or lost its CAN FD.
+/// A full queue or socket is temporary; any other error means that the interface is down, was
+/// removed, or lost its CAN FD.
 fn refusal(error: &io::Error) -> SendError {
     match Errno::from_io_error(error) {
         Some(Errno::NOBUFS | Errno::AGAIN | Errno::INTR | Errno::NOMEM) => SendError::Full,
@@ -107,12 +105,12 @@ fn refusal(error: &io::Error) -> SendError {
     }
 }
 
-/// Returns why nothing came.
+/// Returns the meaning of a failed read.
 fn silence(error: &io::Error) -> Result<Option<BusRead>, RecvError> {
     match Errno::from_io_error(error) {
         Some(Errno::AGAIN | Errno::INTR) => Ok(None),
         Some(_) => Err(RecvError::Down),
-        // The crate's own complaint, of a length that no frame has.
+        // An error of the crate about a length that no frame has.
         None => Err(RecvError::Corrupt),
     }
 }

@@ -1,10 +1,10 @@
-//! Whether the user may read and write a device, asked without opening it.
+//! Rights of the user on a device, checked without opening it.
 
 use std::path::Path;
 
 use super::Obstacle;
 
-/// The user of this process and the groups it is in; not known outside Linux.
+/// The user of this process and its groups; unknown outside Linux.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct User {
     id: Option<u32>,
@@ -12,14 +12,13 @@ pub(super) struct User {
 }
 
 impl User {
-    /// Returns the user that the kernel has for this process.
     pub(super) fn current() -> Self {
         std::fs::read_to_string("/proc/self/status")
             .map(|text| Self::parse(&text))
             .unwrap_or_default()
     }
 
-    /// Reads the effective user and group and the further groups of a `status` file.
+    /// Parses the effective user and group and the further groups of a `status` file.
     fn parse(status: &str) -> Self {
         let numbers = |name: &str| -> Vec<u32> {
             let line = status.lines().find_map(|line| line.strip_prefix(name));
@@ -32,7 +31,7 @@ impl User {
         Self { id: effective(numbers("Uid:")), groups }
     }
 
-    /// Returns why this user cannot use the device at `path`, if that can be told.
+    /// Returns the reason why this user cannot use the device at `path`, if known.
     #[cfg(unix)]
     pub(super) fn obstacle(&self, path: &Path) -> Option<Obstacle> {
         use std::os::unix::fs::MetadataExt as _;
@@ -47,13 +46,13 @@ impl User {
         Some(Obstacle::Forbidden { path: path.to_owned(), group })
     }
 
-    /// Returns nothing: outside Unix, rights are not known before a port is opened.
+    /// Returns `None`: outside Unix, rights are unknown before a port is opened.
     #[cfg(not(unix))]
     pub(super) fn obstacle(&self, _path: &Path) -> Option<Obstacle> {
         None
     }
 
-    /// Tells whether this user may read and write; none if the user is not known.
+    /// Returns `true` if this user may read and write; `None` if the user is unknown.
     #[cfg(unix)]
     fn may_use(&self, rights: &Rights) -> Option<bool> {
         let id = self.id?;
@@ -69,7 +68,7 @@ impl User {
     }
 }
 
-/// Who may do what with a device.
+/// Owner and permissions of a device.
 #[cfg(unix)]
 struct Rights {
     owner: u32,
@@ -84,7 +83,7 @@ impl Rights {
     }
 }
 
-/// Returns the name of a group in the text of `/etc/group`; its number if it has none.
+/// Returns the name of a group in the text of `/etc/group`, or else its number.
 #[cfg(unix)]
 fn group_name(names: &str, group: u32) -> String {
     let number = group.to_string();

@@ -22,9 +22,6 @@ const NONE: &str = "there is no CAN interface: plug in an adapter whose driver i
                     sudo ip link add vcan0 type vcan";
 
 /// Lists the CAN interfaces of this machine.
-///
-/// # Errors
-/// The kernel's list of network interfaces cannot be read.
 pub fn can_interfaces() -> Result<Listing<CanInterface>, Error> {
     let mut listing = known_can_interfaces()?;
     if cfg!(target_os = "linux") {
@@ -34,10 +31,7 @@ pub fn can_interfaces() -> Result<Listing<CanInterface>, Error> {
     Ok(listing)
 }
 
-/// Returns the same from the kernel's files alone: without what `ip` tells, and without advice.
-///
-/// # Errors
-/// The kernel's list of network interfaces cannot be read.
+/// Lists the CAN interfaces from the kernel's files alone: without `ip`, and without advice.
 pub(crate) fn known_can_interfaces() -> Result<Listing<CanInterface>, Error> {
     if cfg!(target_os = "linux") {
         interfaces_in(Path::new("/sys/class/net"))
@@ -47,7 +41,7 @@ pub(crate) fn known_can_interfaces() -> Result<Listing<CanInterface>, Error> {
     }
 }
 
-/// Adds what `ip` tells, and what to change on a kernel of this version.
+/// Adds the output of `ip`, and advice for a kernel of this version.
 fn examine(
     found: &mut [CanInterface],
     links: &BTreeMap<String, CanLink>,
@@ -70,7 +64,7 @@ fn interfaces_in(net: &Path) -> Result<Listing<CanInterface>, Error> {
     Ok(Listing::new(found, NONE))
 }
 
-/// Returns the interface of `folder`, if it is one of CAN.
+/// Returns the interface of `folder`, if it is a CAN interface.
 fn interface(folder: &Path) -> Option<CanInterface> {
     let text =
         |file: &str| fs::read_to_string(folder.join(file)).ok().map(|text| text.trim().to_owned());
@@ -105,13 +99,13 @@ fn driver(uevent: &str) -> Option<String> {
 }
 
 impl CanInterface {
-    /// Returns why this interface carries no frames, if it does not.
+    /// Returns the reason why this interface carries no frames, if it does not.
     fn find_obstacle(&self) -> Option<Obstacle> {
         let name = &self.name;
         if self.is_up {
             return (self.state == "down").then(|| Obstacle::NotRunning { name: name.clone() });
         }
-        // A real interface has no bit rate until it is told one.
+        // A real interface has no bit rate until it is set.
         let rates = if self.is_virtual {
             ""
         } else {

@@ -1,6 +1,5 @@
-//! How a CAN controller is set up and how it fares, as the program `ip` tells.
-//!
-//! The kernel tells this over netlink only; its files say nothing of it.
+//! Set-up and condition of a CAN controller, as printed by `ip`: the kernel reports them over
+//! netlink only, not in files.
 
 use std::collections::BTreeMap;
 use std::process::Command;
@@ -12,28 +11,28 @@ use serde_json::Value;
 pub struct BitTiming {
     /// Rate of the bits (bit/s).
     pub bitrate: u32,
-    /// Where in a bit it is read (thousandths of the bit).
+    /// Sample point (thousandths of the bit).
     pub sample_point: u32,
 }
 
-/// What `ip` tells of a CAN interface.
+/// Output of `ip` about a CAN interface.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct CanLink {
     /// Rate of classic frames, and of head and tail of CAN FD frames.
     pub nominal: Option<BitTiming>,
     /// Rate of the rest of CAN FD frames.
     pub data: Option<BitTiming>,
-    /// After how long a controller that went off the bus comes back; 0 for never (ms).
+    /// Time after which a controller that left the bus restarts; 0 for never (ms).
     pub restart_ms: Option<u32>,
     /// `ERROR-ACTIVE` when all is well.
     pub state: Option<String>,
     pub tx_errors: Option<u32>,
     pub rx_errors: Option<u32>,
-    /// Control modes that are on, as `FD` or `LISTEN-ONLY`.
+    /// Active control modes, such as `FD` or `LISTEN-ONLY`.
     pub modes: Vec<String>,
 }
 
-/// Returns what `ip` tells of every CAN interface, by name; nothing if there is no `ip`.
+/// Returns the output of `ip` about every CAN interface, by name; empty without `ip`.
 pub(in super::super) fn ask_ip() -> BTreeMap<String, CanLink> {
     let arguments = ["-details", "-json", "-statistics", "link", "show"];
     let answer = Command::new("ip").args(arguments).output().ok();
@@ -41,7 +40,7 @@ pub(in super::super) fn ask_ip() -> BTreeMap<String, CanLink> {
     answer.map(|it| parse(&String::from_utf8_lossy(&it.stdout))).unwrap_or_default()
 }
 
-/// Reads what `ip -details -json link show` printed; what is not understood is left out.
+/// Parses the output of `ip -details -json link show`; unknown parts are left out.
 pub(in super::super) fn parse(json: &str) -> BTreeMap<String, CanLink> {
     let links: Vec<Value> = serde_json::from_str(json).unwrap_or_default();
     let is_can = |link: &&Value| link["link_type"] == "can";

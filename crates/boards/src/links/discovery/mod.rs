@@ -1,8 +1,7 @@
-//! What this machine has to reach boards with, why it cannot be used, and what to change.
+//! Links of this machine to boards, obstacles to their use, and advice. Not for the tick.
 //!
-//! Reads files of the system and asks `ip`; opens no port: opening one resets many boards.
+//! Reads files of the system and runs `ip`; opens no port, since opening one resets many boards.
 //! An [`Obstacle`] keeps a device from being used; advice is for one that can be.
-//! Not for the tick.
 
 mod access;
 mod can;
@@ -22,23 +21,22 @@ pub use diagnosis::machine::{Fact, this_machine};
 pub use diagnosis::usb::{UsbPlace, UsbSpeed};
 pub use serial::{SerialPort, UsbIdentity, serial_ports};
 
-/// Returns why the user of this process cannot use the device at `path`, if that can be told.
+/// Returns the reason why this user cannot use the device at `path`, if known.
 #[cfg(unix)]
 pub(crate) fn obstacle(path: &std::path::Path) -> Option<Obstacle> {
     access::User::current().obstacle(path)
 }
 
-/// What was found, or why there is nothing.
+/// Found devices, or the reason for their absence.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Listing<T> {
-    /// What was found, in the order of names.
+    /// In the order of names.
     pub found: Vec<T>,
     /// One sentence on why `found` is empty; none if it is not.
     pub why_empty: Option<String>,
 }
 
 impl<T> Listing<T> {
-    /// Returns a list, or `why_empty` if there is nothing in it.
     fn new(found: Vec<T>, why_empty: &str) -> Self {
         let why_empty = found.is_empty().then(|| why_empty.to_owned());
         Self { found, why_empty }

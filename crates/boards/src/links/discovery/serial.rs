@@ -1,5 +1,3 @@
-//! Serial ports, as the system lists them.
-
 use std::path::{Path, PathBuf};
 
 use serialport::SerialPortType;
@@ -10,7 +8,7 @@ use super::diagnosis::usb::UsbPlace;
 use super::{Listing, Obstacle};
 use crate::links::Error;
 
-/// Where Linux lists its ports; without it the list cannot be made.
+/// Linux' list of ports, required for the listing.
 const TTYS: &str = "/sys/class/tty";
 /// The kernel's files on devices.
 const SYS: &str = "/sys";
@@ -21,34 +19,30 @@ const NONE: &str = "there is no serial port: plug in a board, or give a port by 
 /// A serial port of this machine.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SerialPort {
-    /// What it is opened by.
     pub path: PathBuf,
-    /// Who is behind it, if it is a USB device; boards are told apart by its serial number.
+    /// Identity, if it is a USB device; boards are distinguished by its serial number.
     pub usb: Option<UsbIdentity>,
-    /// Where it hangs, if it is a USB device.
+    /// Position in the USB tree, if it is a USB device.
     pub place: Option<UsbPlace>,
-    /// How long its adapter holds bytes back, if it is one that does (ms).
+    /// Delay of bytes by its adapter, if it has a latency timer (ms).
     pub latency: Option<u32>,
-    /// Why it cannot be used, if that is known.
+    /// Reason why it cannot be used, if known.
     pub obstacle: Option<Obstacle>,
-    /// What to change, each in a sentence.
+    /// Advice, a sentence each.
     pub advice: Vec<String>,
 }
 
-/// What a USB device says of itself.
+/// Self-description of a USB device.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UsbIdentity {
     pub vendor: u16,
     pub product: u16,
     pub serial: Option<String>,
-    /// The maker's and the product's names, as far as they are told.
+    /// Names of maker and product, if available.
     pub name: String,
 }
 
 /// Lists the serial ports of this machine; opens none of them.
-///
-/// # Errors
-/// The system does not list its ports.
 pub fn serial_ports() -> Result<Listing<SerialPort>, Error> {
     if cfg!(target_os = "linux") && !Path::new(TTYS).is_dir() {
         return Ok(Listing::new(Vec::new(), "there is no /sys/class/tty: is /sys mounted?"));
@@ -80,7 +74,7 @@ fn describe(port: serialport::SerialPortInfo, user: &User) -> SerialPort {
     SerialPort { path, usb, place: None, latency: None, obstacle, advice: Vec::new() }
 }
 
-/// Adds what the files under `sys` tell, and what to change.
+/// Adds the facts in files under `sys`, and advice.
 fn examine(ports: &mut [SerialPort], sys: &Path) {
     for port in &mut *ports {
         let tty = tty(&port.path);
@@ -94,7 +88,6 @@ fn examine(ports: &mut [SerialPort], sys: &Path) {
     }
 }
 
-/// Returns the kernel's name of a port.
 fn tty(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct Root(PathBuf);
 
 impl Root {
-    /// An empty one; `test` is in its name.
+    /// Makes an empty one; `test` is in its name.
     pub(super) fn new(test: &str) -> Self {
         let root = std::env::temp_dir().join(format!("letoff-{test}-{}", std::process::id()));
         fs::create_dir_all(&root).unwrap();
@@ -22,12 +22,11 @@ impl Root {
         self
     }
 
-    /// Adds files to `folder`.
     pub(super) fn with_all(self, folder: &str, files: &[(&str, &str)]) -> Self {
         files.iter().fold(self, |root, (file, text)| root.with(&format!("{folder}/{file}"), text))
     }
 
-    /// Adds a symbolic link to `target`, which is given from the root.
+    /// Adds a symbolic link to `target`, relative to the root.
     #[cfg(unix)]
     pub(super) fn with_link(self, link: &str, target: &str) -> Self {
         let path = self.0.join(link);

@@ -1,16 +1,17 @@
-//! Boards that a program lives, in lockstep with the host: virtual time only.
+//! Boards that a program simulates, in lockstep with the host: virtual time only.
 //!
 //! The host starts the program and exchanges bytes over its stdin and stdout. Numbers are little
 //! endian:
 //!
 //! | from | bytes | content |
 //! |---|---|---|
-//! | host | 8 | time up to which the program shall live (us), later than the last |
+//! | host | 8 | time up to which the program must simulate (us), later than the last |
 //! | host | 2 + n | number n, and the bytes that the host has sent since the last exchange |
 //! | program | 2 + n | number n, and the bytes that its boards have sent since then |
 //!
-//! The program hands the bytes of the host to its boards at its old time, lives up to the new
-//! one, and answers. The bytes are those of a serial port, frames and all. A program begins at
+//! The program gives the bytes of the host to its boards at its old time, simulates up to the new
+//! one, and answers. The bytes are those of a serial port, including framing. A program begins at
+//! time 0, and exits when its stdin ends.
 //! time 0, and exits when its stdin ends.
 
 use std::collections::VecDeque;
@@ -31,7 +32,6 @@ use super::{Link, RecvError, SendError};
 use crate::links::{Error, HostClock, pause};
 use crate::plan::NoPlan;
 
-/// Programs in lockstep, as addresses and scenes name them.
 pub const KIND: BoardLinkKind = BoardLinkKind {
     scheme: "rig",
     forms: "rig:PROGRAM",
@@ -47,19 +47,19 @@ pub const KIND: BoardLinkKind = BoardLinkKind {
     medium: |_address, _rates| Err(NoPlan::Virtual),
 };
 
-/// Time without a byte after which a program counts as hung (s): longer than a busy machine takes.
+/// Time without a byte after which a program counts as hung (s), longer than on a busy machine.
 const PATIENCE_S: i64 = 5;
-/// Time between two looks whether a program has exited, and the most of them: 5 s.
+/// Interval and maximum number of polls for the exit of a program: 5 s.
 const LOOK: Duration = Duration::from_millis(5);
 const MAX_LOOKS: u32 = 1_000;
 /// Bytes before those of the wire: time and number.
 const HEAD: usize = 10;
-/// Bytes that an exchange carries at most in each direction.
+/// Maximum number of bytes of an exchange in each direction.
 const MAX_BYTES: usize = u16::MAX as usize;
-/// Time that the program lives after the last bytes of the host (us), so that its boards take them.
+/// Simulated time after the last bytes of the host (us), so that the boards receive them.
 const FAREWELL_US: u64 = 1_000;
 
-/// A link to boards that a program lives in lockstep with the host.
+/// A link to boards that a program simulates in lockstep with the host.
 ///
 /// The first reception at a later time makes an exchange, which waits for the program: up to 5 s
 /// of real time for each byte. Such a link is for virtual time alone, where waiting changes
@@ -107,18 +107,18 @@ struct LockedProgram {
     command: String,
     clock: HostClock,
     child: Child,
-    /// Not there any more once the program is to exit.
+    /// `None` once the program is to exit.
     stdin: Option<ChildStdin>,
     stdout: ChildStdout,
     /// Time without a byte after which it counts as hung (s).
     patience_s: i64,
-    /// Time up to which it has lived (us).
+    /// Simulated time (us).
     lived_us: u64,
-    /// The next message: room for time and number, then what was sent.
+    /// Next message: room for time and number, then the sent bytes.
     message: Vec<u8>,
-    /// Bytes of its boards that were not read yet.
+    /// Unread bytes of its boards.
     received: VecDeque<u8>,
-    /// The reason why the link is down for good.
+    /// Reason why the link is down for good.
     fault: Option<Error>,
 }
 
@@ -152,7 +152,7 @@ impl LockedProgram {
         })
     }
 
-    /// Lets the program live up to `now_us`; its link is down for good if that fails.
+    /// Simulates up to `now_us`; the link is down for good if that fails.
     fn live(&mut self, now_us: u64) -> Result<(), RecvError> {
         self.exchange(now_us).map_err(|why| {
             let _gone = self.child.kill();
@@ -179,7 +179,7 @@ impl LockedProgram {
     }
 
     fn send_message(&mut self, now_us: u64) -> Result<(), ProgramTrouble> {
-        // `try_send` takes no more than the number can say.
+        // `try_send` accepts no more than the number can express.
         let len = u16::try_from(self.message.len() - HEAD).unwrap_or(u16::MAX);
         self.message[..8].copy_from_slice(&now_us.to_le_bytes());
         self.message[8..HEAD].copy_from_slice(&len.to_le_bytes());
@@ -199,7 +199,7 @@ impl LockedProgram {
         Ok(())
     }
 
-    /// Reads what is announced, as long as each byte comes in time.
+    /// Reads the announced bytes, as long as each arrives in time.
     fn read_exact(&mut self, bytes: &mut [u8]) -> Result<(), ProgramTrouble> {
         let (mut came, announced) = (0, bytes.len());
         while came < announced {
@@ -219,7 +219,7 @@ impl LockedProgram {
         Ok(rustix::io::retry_on_intr(|| rustix::io::read(&self.stdout, &mut *bytes))?)
     }
 
-    /// Returns how a program ended that closed its end of a pipe.
+    /// Returns the exit of a program that closed its end of a pipe.
     fn ended(&mut self) -> ProgramTrouble {
         self.wait().map_or_else(ProgramTrouble::Io, ProgramTrouble::Ended)
     }
@@ -238,7 +238,7 @@ impl LockedProgram {
     }
 }
 
-/// Bytes that go and come with the next exchange.
+/// Bytes of the next exchange.
 impl Link for LockedProgram {
     fn try_send(&mut self, bytes: &[u8]) -> Result<(), SendError> {
         if self.fault.is_some() {
@@ -256,7 +256,7 @@ impl Link for LockedProgram {
             return Err(RecvError::Down);
         }
         let now_us = self.clock.now_us();
-        // A host that does not read lets the program wait, as a full wire would.
+        // If the host does not read, the program waits, as on a full wire.
         if self.lived_us < now_us && self.received.len() < MAX_BYTES {
             self.live(now_us)?;
         }
@@ -266,7 +266,7 @@ impl Link for LockedProgram {
 }
 
 impl Drop for LockedProgram {
-    /// Sends what is left, closes stdin, and waits for the program to exit.
+    /// Sends the rest, closes stdin, and waits for the program to exit.
     fn drop(&mut self) {
         if self.fault.is_none() && HEAD < self.message.len() {
             let _last = self.live(self.lived_us + FAREWELL_US);

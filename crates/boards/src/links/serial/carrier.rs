@@ -1,19 +1,19 @@
-//! Whole frames on a stream that may take half of one.
+//! Whole frames on a stream that may accept half of one.
 
 use std::ops::Range;
 
 use super::stream::{Disconnected, NonBlockingFd};
 use crate::links::{Link, MAX_LEN, RecvError, SendError};
 
-/// A stream, and the rest of the one frame that it has taken half of.
+/// A stream, and the rest of a frame that it has accepted in part.
 ///
-/// The rest goes before anything else, so that what comes out at the other end is whole
-/// frames. A frame that cannot be begun is dropped, and the next one will be newer.
+/// The rest goes first, so that the other end receives whole frames. A frame that cannot be begun
+/// is dropped, since the next one is newer.
 #[derive(Debug)]
 pub(super) struct SerialCarrier {
     stream: NonBlockingFd,
     frame: [u8; MAX_LEN],
-    /// The part of `frame` that the stream has not taken yet.
+    /// Range of `frame` that the stream has not accepted yet.
     rest: Range<usize>,
     dropped: u64,
 }
@@ -23,7 +23,6 @@ impl SerialCarrier {
         Self { stream, frame: [0; MAX_LEN], rest: 0..0, dropped: 0 }
     }
 
-    /// Returns the frames that could not be begun.
     pub(super) const fn dropped(&self) -> u64 {
         self.dropped
     }
@@ -71,7 +70,7 @@ impl Link for SerialCarrier {
     }
 
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
-        // A port that is gone says so to the read as well, after what it had still to give.
+        // The read reports a port that is gone as well, after its last bytes.
         let _gone = self.flush();
         let len = self.stream.read(buffer)?;
         Ok((0 < len).then_some(len))

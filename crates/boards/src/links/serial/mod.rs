@@ -1,7 +1,7 @@
 //! Serial ports: USB, UART and pseudo-terminals, with frames on their bytes.
 //!
-//! The `serialport` crate sets a port up and keeps other programs out. Its own reads and
-//! writes wait, so a second descriptor of the same port, which does not, carries the bytes.
+//! The `serialport` crate sets a port up and locks out other programs. Its own reads and writes
+//! wait, so a second descriptor of the port, which does not, carries the bytes.
 
 mod carrier;
 mod pty;
@@ -27,7 +27,7 @@ pub use pty::Pty;
 pub(super) use pty::PtyPair;
 pub(super) use stream::{Disconnected, NonBlockingFd};
 
-/// Serial ports, as addresses and scenes name them. USB devices ignore the baud rate.
+/// USB devices ignore the baud rate.
 pub const KIND: BoardLinkKind = BoardLinkKind {
     scheme: "serial",
     forms: "serial:PORT, serial:PORT@BAUD",
@@ -46,10 +46,10 @@ pub const KIND: BoardLinkKind = BoardLinkKind {
     medium: |address, _rates| medium(Path::new(&address.place), address.baud.unwrap_or_default()),
 };
 
-/// Prefixes of the names of serial ports whose bits take their time on a wire.
+/// Prefixes of the names of serial ports whose bits take time on a wire.
 const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
 
-/// Returns the medium of a UART. USB devices and pseudo-terminals take any baud rate and keep none.
+/// Returns the medium of a UART. USB devices and pseudo-terminals accept and ignore any baud rate.
 fn medium(port: &Path, baud: u32) -> Result<Medium, NoPlan> {
     let device = std::fs::canonicalize(port).unwrap_or_else(|_absent| port.to_owned());
     let name = device.file_name().map(|it| it.to_string_lossy().into_owned()).unwrap_or_default();
@@ -57,9 +57,8 @@ fn medium(port: &Path, baud: u32) -> Result<Medium, NoPlan> {
     is_uart.then_some(Medium::Uart { baud, wiring: Wiring::FullDuplex }).ok_or(NoPlan::NoRates)
 }
 
-/// A serial port that was opened, and never waits.
-///
-/// A port whose other end is down stays down until its owner opens the port again.
+/// An open serial port, which never waits. It stays down after its other end was, until its owner
+/// reopens it.
 #[derive(Debug)]
 pub struct Serial {
     framing: Framing,
@@ -71,7 +70,6 @@ pub struct Serial {
 #[derive(Debug)]
 #[expect(dead_code, reason = "held, never read")]
 enum Keeper {
-    /// The port with its lock.
     Port(TTYPort),
     /// The other end of a pseudo-terminal, which keeps the terminal alive between two clients.
     OtherEnd(OwnedFd),
@@ -81,9 +79,6 @@ impl Serial {
     /// Opens the port at `path` with `baud` bits per second, for this program alone.
     ///
     /// Discards the bytes that were received before. A pseudo-terminal ignores `baud`.
-    ///
-    /// # Errors
-    /// If the port cannot be opened or locked, with the remedy.
     pub fn open(path: &Path, baud: u32) -> Result<Self, Error> {
         let refused = |why| Error::Port { path: path.to_owned(), why };
         let (port, stream) = open(path, baud).map_err(|error| refused(trouble(path, error)))?;
@@ -96,7 +91,6 @@ impl Serial {
         Self { framing, carrier, _keeper: keeper }
     }
 
-    /// Returns the frames that were dropped because those before were still on their way.
     pub const fn dropped(&self) -> u64 {
         self.carrier.dropped()
     }
@@ -138,7 +132,6 @@ fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, NonBlockingFd)> 
     Ok((port, NonBlockingFd::new(bytes)))
 }
 
-/// Translates an error of the system into its cause and remedy.
 fn trouble(path: &Path, error: serialport::Error) -> PortTrouble {
     use std::io::ErrorKind as Io;
 
@@ -155,9 +148,8 @@ fn trouble(path: &Path, error: serialport::Error) -> PortTrouble {
     }
 }
 
-/// Asks an FTDI adapter, which holds bytes back for 16 ms, to hold them for 1 ms.
-///
-/// Where there is no such adapter or no right to ask, nothing happens.
+/// Asks an FTDI adapter, which delays bytes by 16 ms, to delay them by 1 ms. Without such an
+/// adapter or the right to ask, nothing happens.
 fn ask_for_low_latency(path: &Path) {
     let device = std::fs::canonicalize(path).unwrap_or_else(|_unresolved| path.to_owned());
     let Some(name) = device.file_name() else { return };

@@ -13,19 +13,15 @@ use rustix::termios::{OptionalActions, tcgetattr, tcsetattr};
 use super::{Keeper, NonBlockingFd, Serial};
 use crate::links::Error;
 
-/// A pseudo-terminal: a link for the board that this process plays, and the port to reach it.
+/// A pseudo-terminal: a link for the board that this process simulates, and the port to reach it.
 #[derive(Debug)]
 pub struct Pty {
     pub board: Serial,
-    /// The host's side, to be opened by its path again and again.
+    /// The host's side, to be opened by its path any number of times.
     pub path: PathBuf,
 }
 
 impl Pty {
-    /// Makes a pseudo-terminal.
-    ///
-    /// # Errors
-    /// The system has none left.
     pub fn open() -> Result<Self, Error> {
         let PtyPair { stream, other, path } = PtyPair::open().map_err(Error::Pty)?;
         Ok(Self { board: Serial::new(stream, Keeper::OtherEnd(other)), path })
@@ -37,14 +33,13 @@ impl Pty {
 pub(crate) struct PtyPair {
     /// This side, which does not wait.
     pub(crate) stream: NonBlockingFd,
-    /// The other side; while it is held, this side lives on when a client leaves.
+    /// The other side; while it is held, this side survives the exit of a client.
     pub(crate) other: OwnedFd,
-    /// The path of the other side.
     pub(crate) path: PathBuf,
 }
 
 impl PtyPair {
-    /// Makes a pseudo-terminal that hands bytes on as they are.
+    /// Makes a pseudo-terminal that does not change bytes.
     pub(crate) fn open() -> io::Result<Self> {
         let this = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC)?;
         grantpt(&this)?;

@@ -1,27 +1,26 @@
-//! Bytes that come and go without waiting.
+//! Bytes in and out without waiting.
 
 use rustix::fd::{AsFd, BorrowedFd, OwnedFd};
 use rustix::io::{Errno, ioctl_fionread};
 
-/// A descriptor that does not wait.
 #[derive(Debug)]
 pub(crate) struct NonBlockingFd(OwnedFd);
 
-/// The other end is not there any more.
+/// The other end is gone.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Disconnected;
 
 impl NonBlockingFd {
-    /// Takes `descriptor`, which was opened not to wait.
+    /// Wraps `descriptor`, which was opened without blocking.
     pub(super) const fn new(descriptor: OwnedFd) -> Self {
         Self(descriptor)
     }
 
-    /// Reads what is there, up to the length of `bytes`, which is not 0; returns how much.
+    /// Reads available bytes, up to the length of `bytes`, which is not 0; returns their number.
     ///
     /// Asks for the number of bytes first. Linux lets a read of an empty terminal wait until a
-    /// worker thread has moved the bytes under way (`n_tty_read`), even without blocking. The worker
-    /// has no priority: on a busy machine, that took up to 0.3 s.
+    /// worker thread has moved the bytes under way (`n_tty_read`), even without blocking. The
+    /// worker has no priority: on a busy machine, that took up to 0.3 s.
     pub(crate) fn read(&self, bytes: &mut [u8]) -> Result<usize, Disconnected> {
         if ioctl_fionread(&self.0).map_err(|_hung_up| Disconnected)? == 0 {
             return Ok(0);
@@ -33,7 +32,7 @@ impl NonBlockingFd {
         }
     }
 
-    /// Writes the first part of `bytes`, as far as there is room; returns how much.
+    /// Writes the first part of `bytes`, as far as there is room; returns its length.
     pub(crate) fn write(&self, bytes: &[u8]) -> Result<usize, Disconnected> {
         taken(rustix::io::write(&self.0, bytes))
     }
@@ -45,7 +44,7 @@ impl AsFd for NonBlockingFd {
     }
 }
 
-/// Returns what did not wait has moved nothing; any other refusal is final.
+/// Returns 0 for a call that would have waited; any other error is final.
 const fn taken(outcome: Result<usize, Errno>) -> Result<usize, Disconnected> {
     match outcome {
         Ok(n) => Ok(n),

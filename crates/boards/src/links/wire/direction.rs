@@ -1,11 +1,11 @@
-//! One direction of a wire: what becomes of each byte, and when it arrives.
+//! One direction of a wire: fate and arrival time of each byte.
 
 use std::collections::VecDeque;
 
 use super::{WireCounts, WirePlan};
 use crate::links::random::Random;
 
-/// Bytes that are on the wire at most; who sends more must wait.
+/// Maximum number of bytes on the wire; senders of more must wait.
 const CAPACITY: usize = 4_096;
 /// Bits of a byte on the wire: start, eight, stop.
 const BITS: u64 = 10;
@@ -17,25 +17,24 @@ pub(super) struct WireDirection {
     plan: WirePlan,
     random: Random,
     queue: VecDeque<(u64, u8)>,
-    /// When the wire is free for the next byte.
+    /// Time at which the wire is free for the next byte.
     free: u64,
     counts: WireCounts,
 }
 
 impl WireDirection {
-    /// Returns an empty direction whose chance starts from the plan's seed and `salt`.
+    /// Returns an empty direction with the plan's seed and `salt`.
     pub(super) fn new(plan: WirePlan, salt: u64) -> Self {
         let random = Random(Random(plan.seed).next() ^ salt);
         let queue = VecDeque::with_capacity(CAPACITY);
         Self { plan, random, queue, free: 0, counts: WireCounts::default() }
     }
 
-    /// Returns how many bytes it takes.
     pub(super) fn room(&self) -> usize {
         CAPACITY - self.queue.len()
     }
 
-    /// Takes bytes, of which there are no more than it has room for.
+    /// Accepts bytes, at most [`Self::room`].
     pub(super) fn take(&mut self, now: u64, bytes: &[u8]) {
         for byte in bytes {
             self.take_byte(now, *byte);
@@ -61,25 +60,25 @@ impl WireDirection {
         self.queue.push_back((self.free + u64::from(late_us) * 1_000, byte));
     }
 
-    /// Copies the bytes that have arrived into `out`; returns how many.
+    /// Copies the bytes that have arrived into `out`; returns their number.
     pub(super) fn arrived(&self, now: u64, out: &mut [u8]) -> usize {
         let arrived = self.queue.iter().take_while(|(due, _)| *due <= now);
         out.iter_mut().zip(arrived).map(|(place, (_, byte))| *place = *byte).count()
     }
 
-    /// Forgets the first `n` bytes, which were handed on.
+    /// Removes the first `n` bytes, which were relayed.
     pub(super) fn hand_on(&mut self, n: usize) {
         self.queue.drain(..n.min(self.queue.len()));
         self.counts.passed += n as u64;
     }
 
-    /// Loses all that is on the wire, and `n` bytes that were sent to it.
+    /// Loses all bytes on the wire, and `n` bytes that were sent to it.
     pub(super) fn lose(&mut self, n: usize) {
         self.counts.lost += (n + self.queue.len()) as u64;
         self.queue.clear();
     }
 
-    /// Returns when the next byte arrives; none if there is none on the way.
+    /// Returns the arrival time of the next byte, if any.
     pub(super) fn next(&self) -> Option<u64> {
         self.queue.front().map(|(due, _)| *due)
     }

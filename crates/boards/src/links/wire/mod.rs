@@ -4,9 +4,9 @@
 //! host ── port ══ relay ══ port ── board
 //! ```
 //!
-//! A thread of its own hands bytes on: each takes its time at the baud rate, some are lost or
-//! come with an inverted bit, sometimes the wire stands still. Not for the tick: it plays what
-//! lies outside.
+//! A separate thread relays the bytes: each takes its time at the baud rate, some are lost or get
+//! an inverted bit, and sometimes the wire stalls. Not for the tick, since it simulates the
+//! outside.
 
 mod direction;
 mod relay;
@@ -19,40 +19,37 @@ use std::thread::JoinHandle;
 use super::serial::PtyPair;
 use crate::links::Error;
 
-/// How a wire treats its bytes; by default it hands them on at once and whole.
+/// Treatment of a wire's bytes; by default immediate and whole.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct WirePlan {
-    /// Where chance starts from. The same seed has the same fate for the n-th byte of a
-    /// direction.
+    /// Random seed. The n-th byte of a direction has the same fate for the same seed.
     pub seed: u64,
-    /// Bits per second, ten for each byte; none takes no time.
+    /// Bits per second, ten for each byte; `None` takes no time.
     pub baud: Option<u32>,
-    /// Share of the bytes that are lost, `0 ..= 1`.
+    /// Fraction of the bytes that are lost, `0 ..= 1`.
     pub loss: f64,
-    /// Share of the bytes that come with one bit inverted, `0 ..= 1`.
+    /// Fraction of the bytes that get one inverted bit, `0 ..= 1`.
     pub flip: f64,
-    /// Share of the bytes at which the wire stands still, `0 ..= 1`.
+    /// Fraction of the bytes at which the wire stalls, `0 ..= 1`.
     pub stall: f64,
-    /// How long it then stands still (us).
+    /// Length of a stall (us).
     pub stall_us: u32,
-    /// How much later than without it each byte arrives (us).
+    /// Additional delay of each byte (us).
     pub late_us: u32,
 }
 
-/// What has happened to the bytes of a wire, both ways.
+/// Counts of a wire's bytes, both ways.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct WireCounts {
-    /// Bytes that were handed on, damaged ones among them.
+    /// Relayed bytes, including damaged ones.
     pub passed: u64,
     /// Bytes that were lost, by chance or because the wire was cut.
     pub lost: u64,
-    /// Bytes that came with an inverted bit.
     pub flipped: u64,
-    /// Times that the wire stood still.
     pub stalls: u64,
 }
 
-/// A wire that is there until it is dropped, which is as if both ends were unplugged.
+/// A wire; dropping it is as if both ends were unplugged.
 #[derive(Debug)]
 pub struct Wire {
     host: PathBuf,
@@ -61,7 +58,7 @@ pub struct Wire {
     relay: Option<JoinHandle<()>>,
 }
 
-/// What the relay and its owner tell each other.
+/// Shared state of the relay and its owner.
 #[derive(Debug, Default)]
 struct WireControl {
     cut: AtomicBool,
@@ -73,10 +70,7 @@ struct WireControl {
 }
 
 impl Wire {
-    /// Opens a wire that works as `plan` says.
-    ///
-    /// # Errors
-    /// The system has no pseudo-terminal or no thread left.
+    /// Opens a wire that follows `plan`.
     pub fn open(plan: WirePlan) -> Result<Self, Error> {
         let (one, other) =
             (PtyPair::open().map_err(Error::Pty)?, PtyPair::open().map_err(Error::Pty)?);
@@ -91,27 +85,23 @@ impl Wire {
         Ok(Self { host, board, control, relay })
     }
 
-    /// Returns the port at the host's end.
     pub fn host(&self) -> &Path {
         &self.host
     }
 
-    /// Returns the port at the board's end.
     pub fn board(&self) -> &Path {
         &self.board
     }
 
-    /// Cuts the wire: what is on it and what is sent is lost, and the ports stay.
+    /// Cuts the wire: bytes on it and sent to it are lost, and the ports stay.
     pub fn cut(&self) {
         self.control.cut.store(true, Ordering::Relaxed);
     }
 
-    /// Mends the wire again.
     pub fn mend(&self) {
         self.control.cut.store(false, Ordering::Relaxed);
     }
 
-    /// Returns what has happened so far.
     pub fn counts(&self) -> WireCounts {
         let read = |count: &AtomicU64| count.load(Ordering::Relaxed);
         let WireControl { passed, lost, flipped, stalls, .. } = &*self.control;

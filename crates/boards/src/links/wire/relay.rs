@@ -1,5 +1,3 @@
-//! The thread that hands bytes on.
-
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
@@ -9,14 +7,12 @@ use super::direction::WireDirection;
 use super::{WireControl, WirePlan};
 use crate::links::serial::{Disconnected, NonBlockingFd, PtyPair};
 
-/// Bytes that are moved at once.
 const CHUNK: usize = 1_024;
-/// Longest sleep, after which the relay looks whether it shall stop (ns).
+/// Longest sleep of the relay, and so the interval of checks of its stop flag (ns).
 const LONGEST_SLEEP: u64 = 5_000_000;
-/// Shortest sleep of the relay (ns).
 const SHORTEST_SLEEP: u64 = 20_000;
 
-/// Hands bytes on between two ports until it is told to stop.
+/// Relays bytes between two ports until it is stopped.
 pub(super) fn run(host: &PtyPair, board: &PtyPair, plan: WirePlan, control: &WireControl) {
     let (mut down, mut up) = (WireDirection::new(plan, 0), WireDirection::new(plan, 1));
     let clock = WireClock::start();
@@ -37,7 +33,7 @@ pub(super) fn run(host: &PtyPair, board: &PtyPair, plan: WirePlan, control: &Wir
     }
 }
 
-/// Takes what was sent at one end, and hands on what has arrived at the other.
+/// Reads bytes from one end, and writes those that have arrived at the other.
 fn carry(
     direction: &mut WireDirection,
     from: &NonBlockingFd,
@@ -58,12 +54,12 @@ fn carry(
     Ok(())
 }
 
-/// Sleeps until one of the streams that have room has something, or for `nanos`.
+/// Sleeps until one of the streams with room has bytes, or for `nanos`.
 fn wait(streams: &[(&NonBlockingFd, usize); 2], nanos: u64) {
     let interest = |room| if 0 < room { PollFlags::IN } else { PollFlags::empty() };
     let mut streams = streams.map(|(stream, room)| PollFd::new(stream, interest(room)));
     let timeout = Timespec { tv_sec: 0, tv_nsec: nanos.cast_signed() };
-    // Whatever ended the sleep, the next turn sees it.
+    // Whatever ended the sleep, the next turn handles it.
     let _why = poll(&mut streams, Some(&timeout));
 }
 
@@ -78,7 +74,6 @@ impl WireControl {
     }
 }
 
-/// The wire's own time.
 struct WireClock(Instant);
 
 #[expect(

@@ -8,15 +8,15 @@ use super::bus::{BusRead, CanBus, Data};
 use super::classic::Classic;
 use crate::links::{Health, Link, RecvError, SendError};
 
-/// Frames of the bus and reports that are taken for one frame of the protocol; what is left
-/// waits for the next call.
+/// Frames of the bus and reports to read for one frame of the protocol; the rest waits for the
+/// next call.
 const MAX_ARRIVALS: usize = 256;
 
 /// A bus that carries the protocol.
 #[derive(Debug)]
 pub(super) struct CanPort<B> {
     bus: B,
-    /// Pieces, if it is classic CAN.
+    /// Pieces, on classic CAN.
     classic: Option<Classic>,
     health: Health,
     dropped: u64,
@@ -28,7 +28,6 @@ impl<B: CanBus> CanPort<B> {
         Self { bus, classic, health: Health::default(), dropped: 0 }
     }
 
-    /// Returns the frames for which there was no room.
     pub(super) const fn dropped(&self) -> u64 {
         self.dropped
     }
@@ -42,7 +41,7 @@ impl<B: CanBus> CanPort<B> {
         self.bus.write(id, &data[..padded(frame.len())])
     }
 
-    /// Takes what came; returns the outcome of the frame that it ends, if it does.
+    /// Handles an arrival; returns the outcome of the frame that it ends, if any.
     fn arrive(&mut self, arrival: BusRead, buffer: &mut [u8]) -> Option<Result<usize, RecvError>> {
         match arrival {
             BusRead::Data(data) => self.unpack(&data, buffer),
@@ -54,7 +53,6 @@ impl<B: CanBus> CanPort<B> {
         }
     }
 
-    /// Takes a frame of the bus.
     fn unpack(&mut self, data: &Data, buffer: &mut [u8]) -> Option<Result<usize, RecvError>> {
         let Some(classic) = &mut self.classic else {
             return Some(deliver(data.id, data.bytes(), buffer));
@@ -77,7 +75,7 @@ impl<B: CanBus> Link for CanPort<B> {
 
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
         if let Some(classic) = &mut self.classic {
-            // What still does not go will be tried again, and told when something is sent.
+            // The rest is tried again, and errors are reported, at the next send.
             let _not_now = classic.flush(&mut self.bus);
         }
         for _ in 0..MAX_ARRIVALS {
@@ -94,7 +92,7 @@ impl<B: CanBus> Link for CanPort<B> {
     }
 }
 
-/// Copies a frame into `buffer` if it may have come under this identifier.
+/// Copies a frame into `buffer` if it matches this identifier.
 fn deliver(id: u16, frame: &[u8], buffer: &mut [u8]) -> Result<usize, RecvError> {
     let len = frame.len();
     if !agrees(id, frame) {

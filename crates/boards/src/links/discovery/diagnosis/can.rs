@@ -1,4 +1,4 @@
-//! What to change about a CAN interface before forces go over it.
+//! Advice on a CAN interface before forces use it.
 
 use std::ops::RangeInclusive;
 
@@ -8,18 +8,18 @@ use crate::links::discovery::can_link::{BitTiming, CanLink};
 
 /// Force frames of a cycle for eight boards, twice: the last cycle may still wait.
 const LEAST_QUEUE_FD: u32 = 2 * 8;
-/// The same over classic CAN, where each frame of 26 bytes goes in four pieces.
+/// Like [`LEAST_QUEUE_FD`] over classic CAN, where a frame of 26 bytes needs four pieces.
 const LEAST_QUEUE_CLASSIC: u32 = 2 * 8 * 4;
-/// Frames that wait longer than this are stale.
+/// Longest useful queue: frames that wait longer are stale.
 const MOST_QUEUE: u32 = 128;
 const GOOD_QUEUE: u32 = LEAST_QUEUE_CLASSIC;
-/// Where a bit may be read (thousandths of the bit).
+/// Range of good sample points (thousandths of the bit).
 const SAMPLE_POINTS: RangeInclusive<u32> = 750..=875;
 const GOOD_SAMPLE_POINT: u32 = 800;
 /// The first kernel whose driver keeps the frames of a USB adapter in order.
 const ORDERED_GS_USB: KernelVersion = KernelVersion { major: 6, minor: 6 };
 
-/// Returns everything to change about `can` on a kernel of this version, most urgent first.
+/// Returns all advice on `can` for a kernel of this version, most urgent first.
 pub(in super::super) fn advice(can: &CanInterface, kernel: Option<KernelVersion>) -> Vec<String> {
     if can.is_virtual {
         return virtual_mtu(can).into_iter().collect();
@@ -38,12 +38,12 @@ pub(in super::super) fn advice(can: &CanInterface, kernel: Option<KernelVersion>
     findings.into_iter().flatten().collect()
 }
 
-/// Returns how to set the controller of `name`, which must be down for that.
+/// Returns the commands that set the controller of `name`, which must be down for that.
 fn set(name: &str, what: &str) -> String {
     format!("sudo ip link set {name} down && sudo ip link set {name} up type can {what}")
 }
 
-/// Rates as `ip` takes them: those that are set, or ours.
+/// Returns the rates in the syntax of `ip`: the present ones, or defaults.
 fn rates(link: &CanLink) -> String {
     let rate = |timing: Option<BitTiming>, other| timing.map_or(other, |timing| timing.bitrate);
     let (nominal, data) = (rate(link.nominal, 1_000_000), rate(link.data, 5_000_000));
@@ -115,8 +115,7 @@ fn sample_point(can: &CanInterface, link: &CanLink, of: Option<BitTiming>) -> Op
     })
 }
 
-/// Returns the rates of `link` with sample points that are right; a controller is given all at
-/// once.
+/// Returns the rates of `link` with good sample points; a controller is given all at once.
 fn moved(link: &CanLink) -> String {
     let timing = |prefix: &str, it: BitTiming| {
         let good = SAMPLE_POINTS.contains(&it.sample_point);

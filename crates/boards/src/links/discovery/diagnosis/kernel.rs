@@ -1,4 +1,4 @@
-//! What the kernel does that delays a tick.
+//! Settings of the kernel that delay a tick.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::files::{number, text};
 
-/// A kernel's version, as far as anything depends on it.
+/// Major and minor version of a kernel.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(in super::super) struct KernelVersion {
     pub(super) major: u32,
@@ -15,7 +15,7 @@ pub(in super::super) struct KernelVersion {
 }
 
 impl KernelVersion {
-    /// Reads a version from the start of a release, as in `6.1.0-56-amd64`.
+    /// Parses the start of a release, as in `6.1.0-56-amd64`.
     fn of(release: &str) -> Option<Self> {
         let mut numbers = release.split(|c: char| !c.is_ascii_digit()).map(str::parse);
         Some(Self { major: numbers.next()?.ok()?, minor: numbers.next()?.ok()? })
@@ -38,12 +38,12 @@ pub(super) fn release(root: &Path) -> Option<String> {
     text(&root.join("proc/sys/kernel/osrelease"))
 }
 
-/// Tells whether the kernel was built so that a thread can nearly always be interrupted.
+/// Returns `true` if the kernel was built for real time (`PREEMPT_RT`).
 pub(super) fn is_real_time(root: &Path) -> bool {
     text(&root.join("sys/kernel/realtime")).as_deref() == Some("1")
 }
 
-/// Returns what real-time threads may have of each period, if it is not all (us), and the period.
+/// Returns the limit of real-time threads per period, if any (us), and the period.
 pub(super) fn throttling(root: &Path) -> Option<(u32, u32)> {
     let kernel = root.join("proc/sys/kernel");
     let runtime: i64 = number(&kernel.join("sched_rt_runtime_us"))?;
@@ -53,7 +53,7 @@ pub(super) fn throttling(root: &Path) -> Option<(u32, u32)> {
     (runtime < period).then_some((runtime, period))
 }
 
-/// Returns how the clocks of the processors are governed, each way once; empty if it is not told.
+/// Returns the governors of the processors' clocks; empty if unknown.
 pub(super) fn governors(root: &Path) -> BTreeSet<String> {
     let folders = fs::read_dir(root.join("sys/devices/system/cpu"));
     let folders = folders.into_iter().flatten().flatten();

@@ -1,4 +1,4 @@
-//! What this user's processes are granted, from `/proc/self`.
+//! Limits of this user's processes, from `/proc/self`.
 
 use std::path::Path;
 
@@ -9,15 +9,13 @@ const CAP_IPC_LOCK: u32 = 14;
 /// Bit of `CapEff` for any priority.
 const CAP_SYS_NICE: u32 = 23;
 
-/// How much a process may have of something.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ResourceLimit {
-    /// As much as it asks for.
     None,
     Of(u64),
 }
 
-/// The limits that matter to a tick.
+/// Limits that matter to a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct ProcessLimits {
     pub(super) priority: ResourceLimit,
@@ -34,7 +32,6 @@ impl ProcessLimits {
         Self::parse(&limits, &status)
     }
 
-    /// Reads them from the texts of `limits` and `status`.
     fn parse(limits: &str, status: &str) -> Option<Self> {
         let capabilities = capabilities(status);
         let limit = |name, capability: u32| {
@@ -59,7 +56,7 @@ fn soft(limits: &str, name: &str) -> Option<ResourceLimit> {
     }
 }
 
-/// Returns the set of capabilities that are in force; none if they are not told.
+/// Returns the effective capabilities; none if unknown.
 fn capabilities(status: &str) -> u64 {
     let line = status.lines().find_map(|line| line.strip_prefix("CapEff:"));
     line.and_then(|set| u64::from_str_radix(set.trim(), 16).ok()).unwrap_or(0)

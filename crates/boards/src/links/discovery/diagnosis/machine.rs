@@ -1,4 +1,4 @@
-//! What this machine does to a tick, whatever is plugged in.
+//! The machine's effects on a tick, whatever is plugged in.
 
 use std::path::Path;
 
@@ -6,26 +6,24 @@ use super::kernel;
 use super::limits::{ProcessLimits, ResourceLimit};
 use crate::links::discovery::Listing;
 
-/// Priority that the tick asks for when a scene does not say.
+/// Priority of the tick by default.
 const WANTED_PRIORITY: u64 = 80;
 
-/// Something that is so on this machine.
+/// A property of this machine.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fact {
-    /// What it is about.
     pub name: &'static str,
     pub detail: String,
-    /// What to do if that hurts.
+    /// Remedy if it hurts.
     pub advice: Option<String>,
 }
 
-/// Returns what is known of this machine's kernel and of what it grants this user.
+/// Returns properties of this machine's kernel, and the rights of this user.
 pub fn this_machine() -> Listing<Fact> {
     let facts = if cfg!(target_os = "linux") { facts(Path::new("/")) } else { Vec::new() };
     Listing::new(facts, "the kernel tells this on Linux only")
 }
 
-/// Returns the facts that the files under `root` tell.
 fn facts(root: &Path) -> Vec<Fact> {
     let facts = [preemption(root), kernel::throttling(root).map(throttling), governors(root)];
     let limits = ProcessLimits::read(root).map(|it| [priority(it.priority), memory(it.locked)]);
@@ -59,7 +57,7 @@ fn throttling((runtime, period): (u32, u32)) -> Fact {
     }
 }
 
-/// Returns nothing if the machine does not let its clocks be governed.
+/// Returns the clock governors; `None` if the machine has none.
 fn governors(root: &Path) -> Option<Fact> {
     let names = kernel::governors(root);
     let saves = names.contains("powersave");

@@ -1,14 +1,14 @@
-//! What is set up badly for forces: each finding is one sentence with the command to type.
+//! Settings that are bad for forces: each finding is one sentence with the command to type.
 //!
-//! | module | what it looks at |
+//! | module | subject |
 //! |---|---|
-//! | [`can`] | a CAN controller's timing, state and queue |
-//! | [`usb`], [`serial`] | where a serial port hangs, and how long it holds bytes back |
-//! | [`kernel`], [`limits`] | what delays a tick on this machine |
+//! | [`can`] | timing, state and queue of a CAN controller |
+//! | [`usb`], [`serial`] | position of a serial port in the USB tree, and its delay of bytes |
+//! | [`kernel`], [`limits`] | causes of late ticks on this machine |
 //! | [`machine`] | the two together, as a list |
 //!
-//! Nothing is changed and no port is opened. Every reading function takes the root of the
-//! files it reads.
+//! No setting is changed and no port is opened. Every reading function takes the root of its
+//! files.
 
 pub(super) mod can;
 mod files;

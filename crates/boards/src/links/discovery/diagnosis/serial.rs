@@ -1,21 +1,19 @@
-//! What to change about a serial port before forces go over it.
+//! Advice on a serial port before forces use it.
 
 use std::path::Path;
 
 use super::files::number;
 use super::usb::{UsbPlace, UsbSpeed};
 
-/// How long an FTDI adapter may hold bytes back (ms).
+/// Largest delay of bytes by an FTDI adapter (ms).
 const MOST_LATENCY: u32 = 1;
 
-/// Returns how long the adapter of the terminal `tty` holds bytes back, if it is one that does
-/// (ms).
+/// Returns the delay of bytes by the adapter of the terminal `tty`, if it has a timer (ms).
 pub(in super::super) fn latency_timer(sys: &Path, tty: &str) -> Option<u32> {
     number(&sys.join("bus/usb-serial/devices").join(tty).join("latency_timer"))
 }
 
-/// Returns everything to change about the terminal `tty`; `places` are all USB devices with
-/// ports.
+/// Returns all advice on the terminal `tty`; `places` are all USB devices with ports.
 pub(in super::super) fn advice(
     tty: &str,
     latency: Option<u32>,

@@ -1,4 +1,4 @@
-//! Where a USB device hangs: its speed, and with whom it shares that.
+//! Position of a USB device: its speed, and the devices that share it.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use super::files::{number, text};
 /// `bDeviceProtocol` of a high-speed hub with a transaction translator for each port.
 const MULTI_TT: &str = "02";
 
-/// How fast a USB device signals.
+/// Signalling rate of a USB device.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UsbSpeed {
     Low,
@@ -17,7 +17,7 @@ pub enum UsbSpeed {
 }
 
 impl UsbSpeed {
-    /// Reads it from the megabits of the kernel's file.
+    /// Parses the megabits of the kernel's file.
     fn of(megabits: &str) -> Option<Self> {
         let megabits: f64 = megabits.parse().ok()?;
         Some(if megabits < 12.0 {
@@ -35,14 +35,12 @@ impl UsbSpeed {
 /// The USB device behind a port.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UsbPlace {
-    /// The kernel's folder of the device.
     pub folder: PathBuf,
-    /// How fast it signals.
     pub speed: UsbSpeed,
-    /// What the 12 Mbit/s of a full-speed device belong to: a hub with one translator for
-    /// all, or a port. Devices with the same share them.
+    /// Owner of the 12 Mbit/s of a full-speed device: a port, or a hub with one translator for
+    /// all. Devices with the same owner share them.
     pub shared: Option<PathBuf>,
-    /// After how long without traffic it is put to sleep; none for never (ms).
+    /// Time without traffic after which it is put to sleep; `None` for never (ms).
     pub sleeps_after: Option<u32>,
 }
 
@@ -63,7 +61,7 @@ fn speed(folder: &Path) -> Option<UsbSpeed> {
     UsbSpeed::of(&text(&folder.join("speed"))?)
 }
 
-/// Looks up the tree, past full-speed hubs, to what has 12 Mbit/s of its own.
+/// Walks up the tree, past full-speed hubs, to the owner of 12 Mbit/s.
 fn domain(device: &Path) -> PathBuf {
     let mut below = device;
     while let Some(hub) = below.parent().filter(|hub| hub.join("speed").exists()) {
