@@ -12,7 +12,6 @@ use serde_json::Value;
 use crate::letoff::{self, Said};
 use crate::lockstep::build;
 
-/// Bound on the damage of a fault.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Class {
     /// Exists before a model plays: the key gets no more than the push of its proof.
@@ -25,7 +24,6 @@ enum Class {
     BeyondHost,
 }
 
-/// A fault of the rig and the host's response.
 struct Row {
     fault: &'static str,
     /// Begin, after the first arming (s).
@@ -192,7 +190,6 @@ impl Honest {
     }
 }
 
-/// Judges one fault; returns the violations.
 fn judge(rig: &Path, honest: &Honest, row: &Row) -> Vec<String> {
     let Row { fault, from, class, shows, beyond, code, words } = row;
     let (said, felt) = play(rig, "grand-springs", "20", &format!("--fault {fault} --from {from}"));

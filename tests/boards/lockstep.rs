@@ -34,7 +34,6 @@ fn run(folder: &Path, piece: &str, links: &[&str]) -> Said {
     letoff::run(folder, &run.chain(links).collect::<Vec<_>>())
 }
 
-/// The report of a run without its start time.
 fn report(said: &Said) -> Value {
     let mut report = said.report();
     report["started"].take();

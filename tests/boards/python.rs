@@ -38,7 +38,6 @@ impl PythonBoard {
         Task::process(self.child.as_ref().expect("it lives"))
     }
 
-    /// Stops the board; returns its report on the host.
     pub(crate) fn stop(mut self) -> Value {
         let child = self.child.take().expect("it lives");
         interrupt(&child);

@@ -13,7 +13,6 @@ use crate::machine_time::{Task, WaitWatch, say};
 /// Held exclusively by a test that is judged by time.
 static MACHINE: RwLock<()> = RwLock::new(());
 
-/// Reserves the machine for one test.
 pub(crate) fn machine() -> RwLockWriteGuard<'static, ()> {
     MACHINE.write().unwrap_or_else(PoisonError::into_inner)
 }
@@ -72,7 +71,6 @@ impl Boards {
         (0..self.count).flat_map(link).collect()
     }
 
-    /// Stops the boards; returns the report of each.
     pub(crate) fn stop(mut self) -> Vec<Value> {
         let child = self.child.take().expect("they live");
         interrupt(&child);

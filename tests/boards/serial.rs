@@ -25,7 +25,6 @@ fn playing(watch: &WaitWatch, folder: &Path, links: &[String]) -> Guarded {
     host
 }
 
-/// Eight boards and their links, after their host was killed.
 fn boards_of_a_killed_host(watch: &WaitWatch, folder: &Path) -> (Boards, Vec<String>) {
     let boards = Boards::start(folder, 8, &[]);
     watch.add(boards.task());

@@ -108,7 +108,6 @@ fn judged_calls(what: &str, attempt: impl FnMut() -> Option<Vec<Call>>) -> Optio
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum KeyPlace {
     Simulated,
-    /// The tick also reads and writes their links.
     OnBoards,
 }
 

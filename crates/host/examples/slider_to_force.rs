@@ -22,7 +22,6 @@ const KEY: u8 = 39;
 const MOVES: u32 = 200;
 /// Force of the finger (N).
 const WEIGHT: f64 = 3.0;
-/// Limit of each wait.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 fn main() {

@@ -36,7 +36,6 @@ pub type AnyOutput = Box<dyn Output + Send>;
 /// Plays the key events of the ring.
 pub struct MidiDispatcher {
     events: Consumer<NoteEvent>,
-    /// Events out of the ring that are not played yet.
     schedule: Schedule,
     player: Player<AnyOutput>,
     curve: VelocityCurve,
@@ -54,7 +53,6 @@ pub struct MidiDispatcher {
 pub struct PlaybackSummary {
     pub assessor: Option<Assessor>,
     pub trouble: Option<String>,
-    /// Number of messages that could not be sent.
     pub n_troubles: u64,
     /// Time from strike to hand-over (ns), in real time.
     pub handover: Option<Histogram<u64>>,
@@ -82,7 +80,6 @@ impl MidiDispatcher {
         }
     }
 
-    /// Reports every strike to `assessor`.
     pub fn assess(&mut self, assessor: Assessor) {
         self.assessor = Some(assessor);
     }
@@ -106,7 +103,6 @@ impl MidiDispatcher {
         }
     }
 
-    /// Sorts the content of the ring by time.
     fn collect(&mut self) {
         while let Ok(event) = self.events.pop() {
             self.schedule.insert(event);
@@ -272,7 +268,6 @@ mod tests {
     use crate::adapters::observer::TickPublisher;
     use engine::realtime::run::histogram;
 
-    /// Records the sent messages in order.
     #[derive(Clone, Default)]
     struct Heard(Arc<Mutex<Vec<(f64, Message)>>>);
 
@@ -287,7 +282,6 @@ mod tests {
         }
     }
 
-    /// Counts the polls of an output.
     #[derive(Clone, Default)]
     struct Polled(Arc<AtomicU64>);
 

@@ -9,7 +9,6 @@ use crate::links::pause;
 /// The host's clock (us).
 #[derive(Clone, Debug)]
 pub enum HostClock {
-    /// Reads the machine's monotonic clock.
     Monotonic(fn() -> u64),
     /// A time that passes only while the host waits, shared by all clones.
     Virtual(Arc<AtomicU64>),

@@ -13,9 +13,7 @@ const MAX_DELAYED: usize = 32;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LinkFault {
     Drop,
-    /// The frame arrives twice.
     Duplicate,
-    /// One bit of the frame arrives inverted.
     FlipBit,
     /// The frame arrives that many exchanges later.
     Delay(u32),
@@ -63,12 +61,9 @@ pub struct FaultPlan {
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FaultCounts {
     pub dropped: u64,
-    /// Frames that arrived twice.
     pub duplicated: u64,
     pub flipped: u64,
-    /// Frames that arrived later.
     pub delayed: u64,
-    /// Calls that found the link down.
     pub down: u64,
 }
 
@@ -84,7 +79,6 @@ pub struct Faults {
 }
 
 impl Faults {
-    /// Starts `plan` at exchange 0.
     pub fn new(plan: FaultPlan) -> Self {
         let random = Random(plan.seed);
         let counts = FaultCounts::default();
@@ -126,7 +120,6 @@ impl Faults {
         self.plan.script.iter().find(fits).map(|step| step.fault)
     }
 
-    /// Draws the random fault of one frame.
     fn chance(&mut self) -> Option<LinkFault> {
         if self.plan.chances.is_empty() {
             return None;
@@ -240,7 +233,6 @@ impl<L: Link> Link for Faulty<'_, L> {
 }
 
 impl<L: Link> Faulty<'_, L> {
-    /// Sends the delayed frames that are due.
     fn release(&mut self) {
         for _ in 0..MAX_DELAYED {
             let Some(queued) = self.faults.sent.due(self.faults.exchange) else { return };
@@ -270,7 +262,6 @@ impl DelayedFrames {
         kept
     }
 
-    /// Removes the oldest frame among those due at `exchange`.
     fn due(&mut self, exchange: u64) -> Option<QueuedFrame> {
         let held = &mut self.places[..self.n];
         let first = held.iter().position(|(due, _)| *due <= exchange)?;

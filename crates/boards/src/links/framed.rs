@@ -48,7 +48,6 @@ impl Framing {
     }
 }
 
-/// Copies a frame into `buffer`, if there is room for it.
 fn copy(frame: &[u8], buffer: &mut [u8]) -> Result<usize, RecvError> {
     let len = frame.len();
     let room = buffer.get_mut(..len).ok_or(RecvError::BufferTooShort { len })?;

@@ -72,7 +72,6 @@ pub trait Link {
         Health::default()
     }
 
-    /// Returns the reason if the link is down for good.
     fn fault(&self) -> Option<&Error> {
         None
     }
@@ -164,7 +163,6 @@ pub struct Health {
     /// Transmission errors, which the controller counts up and down.
     pub transmit_errors: u8,
     pub receive_errors: u8,
-    /// Number of error reports.
     pub reports: u64,
     /// Restarts of the controller after it had left the bus.
     pub restarts: u64,

@@ -3,7 +3,6 @@ use super::{RecvError, SendError};
 /// Longest frame of the wires in memory: one with its framing (bytes).
 pub const MAX_LEN: usize = firmware_protocol::serial::MAX_WIRE;
 
-/// A frame in the queue of a wire in memory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QueuedFrame {
     pub(crate) bytes: [u8; MAX_LEN],

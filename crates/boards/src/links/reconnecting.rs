@@ -27,7 +27,6 @@ pub struct ReconnectingLink {
     reopened: u64,
 }
 
-/// State shared by both sides.
 #[derive(Debug, Default)]
 struct ReconnectState {
     /// `true` if a new link is wanted.
@@ -64,7 +63,6 @@ impl ReconnectingLink {
         self.reopened
     }
 
-    /// Returns the link, if one is open.
     fn current(&mut self) -> Option<&mut AnyLink> {
         if self.link.is_none()
             && let Ok(link) = self.opened.pop()

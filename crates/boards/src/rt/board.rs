@@ -47,7 +47,6 @@ pub struct BoardStatistics {
     pub samples: LossCounts,
     /// Rejected frames: length, padding or content.
     pub refused: u64,
-    /// Force frames that the link accepted.
     pub sent: u64,
     /// Force frames that the link rejected, or without samples to answer.
     pub unsent: u64,
@@ -79,7 +78,6 @@ pub struct BoardEnd {
     guards: Option<Box<Guards>>,
 }
 
-/// Guards of all keys of a board, and the rhythm of its forces.
 #[derive(Clone, Debug)]
 struct Guards {
     keys: [KeyGuard; MOST_KEYS],
@@ -126,7 +124,6 @@ impl BoardEnd {
         }
     }
 
-    /// Guards all keys from now on, in exchanges every `period_us`.
     pub(super) fn guard(&mut self, period_us: u64) {
         let keys = [KeyGuard::default(); MOST_KEYS];
         self.guards = Some(Box::new(Guards { keys, period_us, sent_us: None, is_resuming: false }));
@@ -266,7 +263,6 @@ impl BoardEnd {
         }
     }
 
-    /// Checks the plausibility of all readings.
     fn check(&mut self, samples: &KeySamples, elapsed: Option<f64>) {
         let readings =
             samples.positions.as_slice().iter().zip(self.terms.calibration.as_slice()).enumerate();

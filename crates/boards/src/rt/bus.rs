@@ -26,7 +26,6 @@ const MAX_FRAMES: usize = 128;
 /// Age of a missing sample.
 pub const NEVER: u32 = u32::MAX;
 
-/// Maximum number of boards on one line.
 const NUMBERS: usize = BoardId::MAX.index() + 1;
 
 /// Statistics of a line, beside those of its boards.
@@ -36,7 +35,6 @@ pub struct LineStatistics {
     pub corrupt: u64,
     /// Frames of unknown boards, or of kinds that boards do not send.
     pub foreign: u64,
-    /// Receptions that failed because the line was down.
     pub down: u64,
     /// Bytes of frames in both directions.
     pub bytes: u64,
@@ -54,7 +52,6 @@ pub struct KeybedBus {
     share_step: f64,
 }
 
-/// The host's state of one line.
 #[derive(Clone, Debug, Default)]
 struct LineEnd {
     /// Board index by number on this line.
@@ -66,7 +63,6 @@ struct LineEnd {
 }
 
 impl LineEnd {
-    /// Counts an accepted frame of `len` bytes.
     fn saw_down(&mut self, len: usize) {
         self.statistics.bytes += len as u64;
         if let Some(meter) = &mut self.meter {
@@ -182,7 +178,6 @@ impl KeybedBus {
         self.lines.len()
     }
 
-    /// Returns all boards in order of their index.
     pub fn boards(&self) -> &[BoardEnd] {
         &self.boards
     }

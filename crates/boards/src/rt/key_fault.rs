@@ -77,12 +77,10 @@ pub struct GuardFindings {
     pub softened: u16,
     /// Keys whose motor is not proven yet because they never came to rest.
     pub unproven: u16,
-    /// Keys that stand still away from rest and bottom.
     pub misplaced: u16,
     /// Discarded readings that left the trend and returned.
     pub glitches: u64,
     /// Ticks in which the rise of a force was limited.
     pub limited: u64,
-    /// Forces that were blended over from those before a gap.
     pub blended: u64,
 }

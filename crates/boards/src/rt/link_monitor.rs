@@ -19,7 +19,6 @@ pub(crate) struct LinkMonitor {
     place: usize,
     /// Tick from which it is due.
     due: u64,
-    /// Ticks between two rounds.
     every: u64,
 }
 

@@ -7,7 +7,6 @@ pub use super::board_supervisor::BoardStatus;
 /// State of a line or a board, cheap enough for a tick; counts are since the start.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum LinkSnapshot {
-    /// A line, by its number.
     Line(usize, LineSnapshot),
     /// A board, by its index among all boards.
     Board(usize, BoardSnapshot),
@@ -25,7 +24,6 @@ pub struct LineSnapshot {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BoardSnapshot {
     pub statistics: BoardStatistics,
-    /// State of its supervision, if it is supervised.
     pub status: Option<BoardStatus>,
 }
 

@@ -20,7 +20,6 @@ pub struct LossCounts {
     pub frames: u64,
     /// Jumps of the numbers.
     pub gaps: u64,
-    /// Frames that those jumps skipped.
     pub missing: u64,
     pub repeated: u64,
     /// Frames that arrived after newer ones.

@@ -11,7 +11,6 @@ use super::board::BoardTerms;
 use crate::clock::low;
 use crate::periods::SYNC_US;
 
-/// State of a line with multicast.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Multicast {
     sequences: [SequenceNumber; GROUPS],

@@ -1,6 +1,5 @@
 const WINDOW: usize = 256;
 
-/// Round trips for the median during a run.
 const RECENT: usize = 15;
 
 /// The last 256 round trips (us).

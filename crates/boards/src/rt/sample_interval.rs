@@ -4,7 +4,6 @@
 //! than it confirmed leaves no gap. Lateness of the host affects neither, since the stamps are the
 //! board's.
 
-/// Number of evaluated intervals.
 const N: usize = 32;
 
 /// Samples between two evaluations.
@@ -35,7 +34,6 @@ pub(super) enum IntervalFault {
     Slow,
 }
 
-/// Newest intervals of the samples of one board.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct IntervalWatch {
     intervals_us: [u16; N],

@@ -35,12 +35,10 @@ pub(super) struct ForceInterlock {
     valid_us: u64,
     /// Seed of the next nonce.
     seed: u32,
-    /// Expirations of forces.
     trips: u16,
     armings: u16,
 }
 
-/// Reason why a board was not armed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum NotArmed {
     /// It was not disarmed before.
@@ -185,7 +183,6 @@ const fn latches(reason: u8) -> bool {
     matches!(reason, safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT)
 }
 
-/// Decision about received forces.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ForceDecision {
     Rendered,

@@ -8,7 +8,6 @@ use firmware_protocol::quantity::Millinewtons;
 
 use crate::calibration;
 
-/// The law of one key, until the next frame.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct Law {
     /// Force at the position and velocity, F0 (N).

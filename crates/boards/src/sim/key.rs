@@ -18,7 +18,6 @@ const MAX_CATCH_UP: u64 = 256;
 
 const MAX_PERIOD: f64 = 1.0;
 
-/// A key under its motor and its fingers.
 #[derive(Clone, Debug)]
 pub(super) struct Plant {
     rig: KeyRig,

@@ -38,18 +38,15 @@ pub struct SimulatedKeybed {
     lines: Vec<SimulatedLine>,
     /// Number of rearmings, if safe boards are rearmed.
     rearmed: Option<u64>,
-    /// Commands for hands.
     hands: Option<Consumer<(KeyIndex, HandCommand)>>,
     monitor: Option<LinkMonitor>,
 }
 
-/// A board, its wire and the wire's faults.
 #[derive(Clone, Debug)]
 struct SimulatedLine {
     board: SimulatedBoard,
     wire: Loopback,
     faults: Faults,
-    /// Framing of the host's and of the board's end.
     framing: [Framing; 2],
 }
 
@@ -143,17 +140,14 @@ impl SimulatedKeybed {
         snapshot(&self.bus, self.rearmed, place)
     }
 
-    /// Returns the host's statistics of `board`.
     pub fn statistics(&self, board: BoardId) -> BoardStatistics {
         self.bus.statistics(board.index())
     }
 
-    /// Returns the statistics of the wire of `board`.
     pub fn wire(&self, board: BoardId) -> LineStatistics {
         self.bus.line(board.index())
     }
 
-    /// Returns the counts of `board` itself.
     pub fn board_counts(&self, board: BoardId) -> BoardCounts {
         self.lines[board.index()].board.counts()
     }

@@ -17,7 +17,6 @@ use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
 use socketcan::{CanErrorFrame, CanFdSocket, Socket as _};
 
-/// Limit of each wait.
 const PATIENCE: Duration = Duration::from_secs(20);
 /// Minimum polls before a wait fails.
 const TRIES: u32 = 200_000;
@@ -267,7 +266,6 @@ fn run(program: &str, arguments: &[&str]) -> bool {
     Command::new(program).args(arguments).status().is_ok_and(|status| status.success())
 }
 
-/// Prints to stderr, past the test harness.
 fn tell(what: &str) {
     let _unheard = writeln!(std::io::stderr(), "{what}");
 }

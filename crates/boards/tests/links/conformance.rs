@@ -200,7 +200,6 @@ fn send(lend: Lend<'_>, side: Side, frame: &[u8]) -> Result<(), SendError> {
     outcome.expect("the end was lent")
 }
 
-/// Waits for a frame.
 fn recv(lend: Lend<'_>, side: Side, room: usize) -> Result<Option<Vec<u8>>, RecvError> {
     for _ in 0..PATIENCE {
         let outcome = recv_now(lend, side, room);

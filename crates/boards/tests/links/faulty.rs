@@ -105,7 +105,6 @@ fn run(plan: FaultPlan, direction: Direction) -> ([Vec<u8>; 4], FaultCounts) {
     (arrived, faults.counts())
 }
 
-/// Returns the first byte of each available frame.
 fn drain(mut recv: impl FnMut(&mut [u8]) -> Result<Option<usize>, RecvError>) -> Vec<u8> {
     let mut buffer = [0; MAX_LEN];
     let mut frames = Vec::new();

@@ -19,7 +19,6 @@ use firmware_protocol::MAX_FRAME;
 const BAUD: u32 = 1_000_000;
 /// Length of most frames: samples of eleven keys with 24 bits each.
 const LEN: usize = 37;
-/// Limit of each wait.
 const PATIENCE: Duration = Duration::from_secs(20);
 /// Minimum polls before a wait fails.
 const TRIES: u32 = 200_000;
@@ -262,7 +261,6 @@ impl Drop for End<'_> {
 struct Answered {
     link: Serial,
     asked: Vec<Instant>,
-    /// Number of the next answer.
     next: u32,
     trips: Vec<Duration>,
 }

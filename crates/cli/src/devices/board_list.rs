@@ -26,7 +26,6 @@ use scene::{BoardBus, Boards};
 /// Maximum number of lines to read from a log.
 const MOST_LINES: u16 = 1_000;
 
-/// A link, and the boards that answer on it.
 #[derive(Debug, Serialize)]
 struct OnLink {
     link: String,
@@ -60,7 +59,6 @@ struct BoardRow {
     answers: BoardAnswers,
 }
 
-/// Rates, ranges and features of a board.
 #[derive(Debug, Serialize)]
 struct BoardAbilities {
     /// Maximum rates of samples and of forces, and the rate of its control of the motors (1/s).
@@ -193,7 +191,6 @@ fn change(
     Ok(())
 }
 
-/// Returns a sentence on each request to a missing board or key.
 fn absent(args: &DevicesArgs, boards: &[&BoardRow]) -> Vec<String> {
     let has_board = |number: &u8| boards.iter().any(|it| it.number == *number);
     let has_key = |key: &KeyIndex| boards.iter().any(|it| it.range.contains(*key));

@@ -23,7 +23,7 @@ use self::settings::BoardSetting;
 /// Longest time for the boards of one link to answer (us).
 const PATIENCE_US: u64 = 2_500_000;
 
-/// What `letoff devices` takes.
+/// Options of `letoff devices`.
 #[derive(Clone, Debug, Default, Args)]
 #[command(after_help = "Examples:
   letoff devices --json
@@ -35,7 +35,6 @@ const PATIENCE_US: u64 = 2_500_000;
 and ends with exit code 1 if one does not. No board is armed and no force is sent;
 with --test=arm boards are armed, and each key is asked for 0.05 N at most; with
 --test=stop they are stopped in the end, until they are started anew.")]
-/// Options of `letoff devices`.
 #[expect(clippy::struct_excessive_bools, reason = "the flags of a command line")]
 pub struct DevicesArgs {
     /// Asks on the links who is there, and lists the boards instead.
@@ -80,7 +79,6 @@ pub struct DevicesArgs {
     pub json: bool,
 }
 
-/// One kind of device.
 #[derive(Debug, Serialize)]
 struct Section {
     kind: &'static str,

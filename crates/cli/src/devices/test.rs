@@ -103,7 +103,6 @@ fn on_link(
     Ok(tested.collect())
 }
 
-/// Returns a sentence on the items that a board breaks.
 fn broken(board: &BoardTest) -> Option<String> {
     let n = board.items.iter().filter(|it| it.outcome == ConformanceOutcome::Broken).count();
     let items = if n == 1 { "item" } else { "items" };

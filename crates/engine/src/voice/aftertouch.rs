@@ -9,7 +9,6 @@ const SPACING: f64 = 10e-3;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct PressureTracker {
     value: u8,
-    /// Ticks since the last value was sent.
     age: u32,
 }
 

@@ -62,7 +62,6 @@ impl<'a> VoiceBuilder<'a> {
         self.period
     }
 
-    /// Returns the parameters of every key.
     pub const fn rig(&self) -> RigParameters {
         self.rig
     }

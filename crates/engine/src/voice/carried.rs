@@ -31,7 +31,6 @@ impl KeyMemory {
         Motion { position: newest.position + self.shift.now(), ..newest }
     }
 
-    /// Returns the motion of the model's key.
     pub(crate) fn key(&self) -> Motion {
         self.coupling.map_or_else(|| self.player(), |it| it.key())
     }

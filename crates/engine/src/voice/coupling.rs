@@ -35,7 +35,6 @@ pub struct Coupling {
     stored: f64,
 }
 
-/// A tick of a coupled key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CoupledTick {
     pub(crate) signal: Cubic,
@@ -71,7 +70,6 @@ impl Coupling {
         *self = Self { constants: self.constants, stored: before.stored * stiffer, ..*before };
     }
 
-    /// Returns the motion of the model's key.
     pub(crate) fn key(&self) -> Motion {
         Motion { position: self.position, rate: self.rate, ..Motion::default() }
     }

@@ -8,7 +8,6 @@ use scheduler::safety::MAX_EXTRAPOLATED;
 /// Continuation of the motion over the tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Continuation {
-    /// By the estimated velocity and acceleration.
     Estimate,
     Samples(Reconstruction, Reconstructor),
 }
@@ -24,7 +23,6 @@ pub struct InputPath {
     h: f64,
     /// Time from the computation of a force to its effect (s).
     lead: f64,
-    /// Motion at the newest sample.
     last: KeyMotion,
     /// Last requested tick, if any.
     tick: Option<u64>,

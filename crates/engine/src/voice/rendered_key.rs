@@ -101,7 +101,6 @@ pub struct VoiceSettings {
     /// Keeps the key passive, if present.
     pub controller: Option<PassivityController>,
     pub limits: Limits,
-    /// Receives the energy audit.
     pub cell: Arc<AuditCell>,
     /// Tick period (s).
     pub h: f64,
@@ -186,7 +185,6 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Returns the model input per metre at the key's front.
     fn scale(&self) -> f64 {
         self.simulator.model().input_per_metre() * self.constants.gains.motion
     }
@@ -598,7 +596,6 @@ mod tests {
         voice
     }
 
-    /// First of `ticks` in which `voice` sleeps.
     fn first_idle(voice: &mut impl Voice, ticks: u32) -> Option<u64> {
         let mut turn = VoiceOutput::default();
         (0..u64::from(ticks)).find(|tick| {

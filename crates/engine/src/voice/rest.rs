@@ -30,9 +30,7 @@ pub(crate) struct RestDetector<S> {
     h: f64,
     position: f64,
     force: f64,
-    /// Ticks for which the key has not moved.
     still: u32,
-    /// Ticks for which the model has not moved.
     calm: u32,
     /// Ticks since the model moved by more than a little.
     little: u32,

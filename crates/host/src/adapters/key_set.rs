@@ -29,7 +29,6 @@ impl AtomicKeySet {
         low | high << 64
     }
 
-    /// Returns the keys in order.
     pub fn keys(&self) -> impl Iterator<Item = u8> + use<> {
         let keys = self.load();
         (0..128).filter(move |key| keys >> key & 1 == 1)

@@ -31,7 +31,6 @@ pub struct LiveCounters {
     /// Smoothed CPU time of the last ticks (ns).
     pub work_ns: AtomicU64,
     pub missed: AtomicU64,
-    /// Keys whose voices slept in the last tick.
     pub asleep: AtomicKeySet,
     pub overload: OverloadCounters,
     pub derivatives: AtomicU64,
@@ -49,7 +48,6 @@ pub struct OverloadCounters {
     now: AtomicU8,
     /// Ticks with each omission, in the order of [`Simplification::ALL`].
     ticks: [AtomicU64; Simplification::ALL.len()],
-    /// Turns of voices that had to wait.
     waited: AtomicU64,
     waiting: AtomicKeySet,
     /// Ticks in which voices waited although there was time.
@@ -91,7 +89,6 @@ pub struct TickPublisher {
     ring: Producer<MidiEvent>,
     wake: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
-    /// Moves of the pedals, in order of time.
     pedals: Box<[PedalMove]>,
     next_pedal: usize,
     /// Length of a pass (s), if the moves repeat.

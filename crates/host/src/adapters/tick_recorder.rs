@@ -64,7 +64,6 @@ pub enum RecorderRow {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickRow {
     pub tick: u64,
-    /// Ticks before it that did not run.
     pub skipped: u64,
     /// `true` if voices could be felt.
     pub armed: bool,
@@ -75,7 +74,6 @@ pub struct TickRow {
 /// An event within a tick.
 #[derive(Clone, Copy, Debug)]
 pub struct TickEvent {
-    /// Tick that reported the event.
     pub tick: u64,
     pub key: u8,
     pub what: EventKind,
@@ -86,7 +84,6 @@ pub struct TickEvent {
 pub enum EventKind {
     /// A change of mode, by the voice of this revision.
     Switch(u32, Switch),
-    /// Note event of the key.
     Note(Moment, KeyEvent),
 }
 

@@ -21,7 +21,6 @@ pub struct BackgroundWork {
 }
 
 impl BackgroundWork {
-    /// Returns the flag that is set when the run ends.
     pub fn is_over(&self) -> &Arc<AtomicBool> {
         &self.is_over
     }
@@ -49,7 +48,6 @@ impl BackgroundWork {
         loaded.filter(|_| is_wanted()).ok_or_else(|| CANCELLED.to_owned())
     }
 
-    /// Cancels the loads for `connection`.
     pub fn cancel(&self, connection: u64) {
         for (_, flag) in self.loads().iter().filter(|(by, _)| *by == Some(connection)) {
             flag.store(true, Ordering::Release);

@@ -19,7 +19,6 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// Reason for a missing reply.
 #[derive(Debug, thiserror::Error)]
 pub enum ControlError {
-    /// No host listens there.
     #[error(
         "no host is running here ({path}){elsewhere}",
         path = shown(.path)
@@ -27,10 +26,8 @@ pub enum ControlError {
     NoHost {
         /// Socket at which it was expected.
         path: PathBuf,
-        /// Hosts at other sockets.
         elsewhere: Elsewhere,
     },
-    /// The host there belongs to another user.
     #[error("the host at {} is {owner}, and does not listen to you: {remedy}", shown(.path))]
     NotYours {
         path: PathBuf,
@@ -54,7 +51,6 @@ pub enum ControlError {
         .patience.as_secs_f64()
     )]
     Hung {
-        /// Process id, if known.
         pid: Option<i32>,
         patience: Duration,
         /// Command that ends it for good.
@@ -102,7 +98,6 @@ fn whose(path: &Path, uid: Option<u32>) -> String {
     }
 }
 
-/// Command that stops hosts.
 const STOP: &str = "letoff stop";
 
 const fn command(request: &Request) -> &'static str {
@@ -252,7 +247,6 @@ pub fn send_within(
     converse(patience, path, request).map(|(answer, _connection)| answer)
 }
 
-/// Sends `request`; returns the answer and its connection.
 fn converse(
     patience: Duration,
     path: &Path,
@@ -333,7 +327,6 @@ fn connect(address: &SocketAddrUnix, patience: Duration) -> io::Result<UnixStrea
     Ok(UnixStream::from(socket))
 }
 
-/// Returns the reason why no host answers at `path`.
 fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError {
     if error.kind() == io::ErrorKind::PermissionDenied {
         let owner = whose(path, place::owner(path));

@@ -27,7 +27,6 @@ pub(super) struct CurrentVoices {
     changed: Vec<BTreeMap<&'static str, f64>>,
 }
 
-/// Maximum number of mistakes in one answer.
 const MOST_TOLD: usize = 5;
 
 impl CurrentVoices {
@@ -39,7 +38,6 @@ impl CurrentVoices {
         Self { render: scene.render, keys, instruments, voicings: scene.voicings.clone(), changed }
     }
 
-    /// Returns these voices with other render settings.
     pub(super) fn computed_by(&self, render: Render) -> Self {
         Self { render, ..self.clone() }
     }
@@ -57,7 +55,6 @@ impl CurrentVoices {
         if keys.is_empty() { Err(self.missing(range)) } else { Ok(keys) }
     }
 
-    /// Returns a sentence on the missing voices of `keys`.
     fn missing(&self, keys: KeyRange) -> String {
         let is_in_scene = |key: u8| self.voicings[usize::from(key)].is_some();
         if keys.numbers().any(is_in_scene) {
@@ -133,7 +130,6 @@ impl CurrentVoices {
         Some(NewVoice { voice, handover: VoiceHandover::Version(voicing) })
     }
 
-    /// Records that `voices` play.
     pub(super) fn put_in(&mut self, voices: BTreeMap<u8, NewVoice>) {
         for (key, NewVoice { voice, handover }) in voices {
             let key = usize::from(key);
@@ -236,7 +232,6 @@ fn unmet_on(key: u8, voice: &KeyVoice) -> Option<String> {
     Some(format!("{} needs {condition}, which does not hold on {key}", voice.model.name))
 }
 
-/// Rejects an invalid value of `parameter`.
 fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
     let Parameter { name, unit, range: (low, high), .. } = parameter;
     if (*low..=*high).contains(&value) {

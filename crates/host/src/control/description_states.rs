@@ -4,7 +4,6 @@ use std::path::Path;
 use instruments::{FileContents, ModelEntry};
 use telemetry::Description;
 
-/// States of descriptions, by their files.
 #[derive(Clone, Debug, Default)]
 pub(super) struct DescriptionStates {
     files: BTreeMap<String, ReadDescription>,
@@ -41,7 +40,6 @@ impl DescriptionStates {
         Some(read.map_or(&source.contents, |read| &read.contents).clone())
     }
 
-    /// Fills in the states of `descriptions`.
     pub(super) fn complete(&self, descriptions: &mut [Description]) {
         for description in descriptions {
             let path = description.files.first().map_or("", |file| file.path.as_str());

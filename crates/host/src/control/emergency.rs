@@ -12,7 +12,6 @@ use super::{Answer, Answers};
 /// The number of armed boards that were sent the command to render no force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BoardsTold {
-    /// Boards whose links accepted the command.
     pub told: usize,
     pub boards: usize,
 }

@@ -7,7 +7,6 @@ use rtrb::Producer;
 
 use super::{FingerOwner, FingerQueue, NOT_RUNNING};
 
-/// Actions that the keys of a run allow.
 #[derive(Debug, Default)]
 pub(super) enum KeyPort {
     #[default]

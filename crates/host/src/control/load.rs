@@ -22,10 +22,8 @@ use super::description_states::{DescriptionStates, known_path};
 use super::{FingerOwner, RequestHandler};
 use crate::observe::{self, TelemetryMessage};
 
-/// Reason why a description does not play.
 #[derive(Debug)]
 enum LoadError {
-    /// Mistakes in it or in its values.
     Mistakes(String),
     /// It cannot be put in now.
     Refused(String),
@@ -60,7 +58,6 @@ impl RequestHandler {
         }
     }
 
-    /// Plays `model`, read from `contents`.
     fn play(
         &self,
         model: &Arc<LoadedModel>,
@@ -102,7 +99,6 @@ impl RequestHandler {
         self.run.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
     }
 
-    /// Reports to clients that descriptions are watched.
     pub(super) fn begin_to_watch(&self) {
         let playing = self.playing();
         let mut states = self.states();
@@ -134,7 +130,6 @@ impl RequestHandler {
         (played.len() < with.len()).then(|| self.catalogue(playing.render, &with, &self.states()))
     }
 
-    /// Returns the catalogue with `models`.
     pub(super) fn catalogue(
         &self,
         render: Render,

@@ -21,7 +21,6 @@ const MOST_AT_ONCE: usize = 8;
 
 const KEYS: u8 = 88;
 
-/// Writer in telemetry.
 const OVERLOAD: &str = "overload";
 
 /// Gives resting keys a lower fidelity while the scheduler of `handler`'s run omits fidelity, until
@@ -32,17 +31,14 @@ pub fn follow_load(handler: Arc<RequestHandler>) -> io::Result<RepeatedLook> {
     RepeatedLook::start("letoff-fidelity", LOOK, move || lowered.look(&handler))
 }
 
-/// Keys with a lower fidelity.
 #[derive(Debug, Default)]
 struct LoweredKeys {
     before: BTreeMap<u8, OriginalVoice>,
     /// Next lower fidelity of each instrument, if a stable one exists.
     lower: BTreeMap<String, Option<Instrument>>,
-    /// Changed keys that are not reported yet.
     untold: usize,
 }
 
-/// Former voice of a key.
 #[derive(Debug)]
 struct OriginalVoice {
     voice: KeyVoice,
@@ -53,7 +49,6 @@ struct OriginalVoice {
 }
 
 impl LoweredKeys {
-    /// Polls all keys at rest once.
     fn look(&mut self, handler: &RequestHandler) {
         let Some(counters) = handler.run.status.counters() else { return };
         let is_wanted = counters.overload.now().contains(Simplification::Fidelity);

@@ -1,6 +1,5 @@
 use scene::{KeyVoice, Voicing};
 
-/// The next voice of a key.
 #[derive(Clone, Debug)]
 pub(super) struct NewVoice {
     pub(super) voice: KeyVoice,

@@ -64,12 +64,10 @@ pub(super) fn chosen() -> Option<PathBuf> {
     std::env::var_os("LETOFF_SOCKET").map(PathBuf::from)
 }
 
-/// Returns this user's id.
 pub(crate) fn user() -> u32 {
     getuid().as_raw()
 }
 
-/// Returns the owner of a file, if visible.
 pub(crate) fn owner(path: &Path) -> Option<u32> {
     Some(fs::metadata(path).ok()?.uid())
 }

@@ -64,7 +64,6 @@ impl RequestHandler {
         found.map(|it| it.to_string()).map_err(|it| it.to_string())
     }
 
-    /// Returns the settings of `playing` with `settings`.
     fn changed(
         &self,
         playing: &CurrentVoices,

@@ -231,7 +231,6 @@ impl RequestHandler {
         Ok(())
     }
 
-    /// Builds the change of a key's voice.
     fn change(
         &self,
         builder: &VoiceBuilder<'_>,
@@ -251,7 +250,6 @@ impl RequestHandler {
         }
     }
 
-    /// Reports the action of `who` to telemetry.
     pub(super) fn tell(&self, text: &str, who: &str) {
         let event = Event {
             kind: event::Kind::Change.into(),

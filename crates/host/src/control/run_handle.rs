@@ -33,7 +33,6 @@ pub struct RunHandle {
     telemetry: Mutex<TelemetryPort>,
 }
 
-/// Access to the telemetry thread of a run.
 #[derive(Debug, Default)]
 struct TelemetryPort {
     sender: Option<mpsc::Sender<TelemetryMessage>>,
@@ -54,12 +53,10 @@ impl RunHandle {
 }
 
 impl RunHandle {
-    /// Admits changes of voices.
     pub fn open(&self, swaps: VoiceSwaps) {
         lock(&self.voices).swaps = Some(swaps);
     }
 
-    /// Rejects further changes of voices.
     pub fn close(&self) {
         lock(&self.voices).swaps = None;
     }
@@ -74,7 +71,6 @@ impl RunHandle {
         lock(&self.voices).new_cell()
     }
 
-    /// Returns the sum of all voices' audits.
     pub fn energy(&self) -> EnergyAudit {
         lock(&self.voices).energy()
     }

@@ -44,7 +44,6 @@ pub struct RunDescription {
     pub counters: Arc<LiveCounters>,
 }
 
-/// Number of faults to keep.
 const KEPT: usize = 8;
 
 /// Longest time without a tick before a host counts as hanging: ten ticks of the slowest rate.
@@ -87,12 +86,10 @@ impl RunStatus {
         parts.clients = parts.clients.saturating_sub(1);
     }
 
-    /// Returns the counters of the run, once it is prepared.
     pub(super) fn counters(&self) -> Option<Arc<LiveCounters>> {
         self.lock().run.as_ref().map(|run| Arc::clone(&run.counters))
     }
 
-    /// Returns the present status.
     pub fn read(&self) -> HostStatus {
         self.lock().status()
     }

@@ -40,7 +40,6 @@ pub trait Answers: Send + Sync + 'static {
     /// A sentence why it is rejected.
     fn reply_to(&self, request: &Request, connection: u64) -> Answer;
 
-    /// Releases the keys that `connection` pressed, at its end.
     fn left(&self, connection: u64) {
         let _ = connection;
     }
@@ -54,7 +53,6 @@ const FIRST_BY_NAME: u64 = FIRST | 1 << 62;
 pub struct ControlServer {
     listener: UnixListener,
     first: u64,
-    /// File of the socket, if it has one.
     file: Option<SocketFile>,
 }
 
@@ -98,7 +96,6 @@ impl ControlServer {
     }
 }
 
-/// Returns device and inode of the file at `path`.
 fn file(path: &Path) -> io::Result<(u64, u64)> {
     let found = fs::symlink_metadata(path)?;
     Ok((found.dev(), found.ino()))

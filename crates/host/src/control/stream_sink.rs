@@ -36,7 +36,6 @@ impl StreamSink {
         self.published.insert(voice.key, values);
     }
 
-    /// Returns the values of a voice as parameters of the stream.
     fn values_of(&self, voice: &telemetry::Voice) -> Vec<ParameterSetting> {
         let model = (voice.model.clone(), voice.version);
         let Some(parameters) = self.parameters.get(&model) else { return Vec::new() };

@@ -11,7 +11,6 @@ use super::NOT_RUNNING;
 pub(super) struct VoicePort {
     /// Access to the lanes of a run, if any.
     pub(super) swaps: Option<VoiceSwaps>,
-    /// Last assigned number.
     revisions: u32,
     audits: EnergySum,
 }
@@ -21,7 +20,6 @@ pub(super) struct VoicePort {
 struct EnergySum {
     /// Sum over voices that are gone.
     settled: EnergyAudit,
-    /// Cells of voices that may still play.
     open: Vec<Arc<AuditCell>>,
 }
 

@@ -16,19 +16,16 @@ use rustix::process::{Pid, Signal, kill_process};
 use super::protocol::{GuardianLine, HostLine};
 use crate::control::place;
 
-/// Subcommand that runs a guardian.
 const COMMAND: &str = "midi-guardian";
 
 /// Longest line of a guardian (bytes).
 const LONGEST_LINE: usize = 4096;
 
-/// A connection to a guardian.
 #[derive(Debug)]
 pub(super) struct GuardianChannel {
     stream: UnixStream,
     /// Received bytes after the last whole line.
     received: Vec<u8>,
-    /// The guardian, if this process started it.
     child: Option<Child>,
     pid: Pid,
 }

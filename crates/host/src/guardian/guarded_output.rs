@@ -21,7 +21,6 @@ const MOST_UNANSWERED: u32 = 40;
 /// Minimum time between two attempts to start a guardian (s).
 const INTERVAL: f64 = 1.0;
 
-/// Reason for a missing guarded port.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum GuardianTrouble {
     /// This machine has no MIDI; a sentence.
@@ -44,7 +43,6 @@ impl From<Unavailable> for GuardianTrouble {
 /// A guardian's account of a run, for its report.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GuardianReport {
-    /// Messages that the guardian could not send.
     pub(crate) n_lost: u64,
     /// First reason; a sentence.
     pub(crate) trouble: Option<String>,
@@ -54,7 +52,6 @@ pub(crate) struct GuardianReport {
     pub(crate) passed_on: Option<Quantiles>,
 }
 
-/// Writes sentences into the host's log.
 pub(crate) type SayLine = Box<dyn Fn(String) + Send>;
 
 /// A port behind a guardian that is replaced if it dies.
@@ -63,7 +60,6 @@ pub(crate) struct GuardedOutput {
     port: GuardedPort,
     channel: Option<GuardianChannel>,
     held: HeldNotes,
-    /// Beats since the guardian's last answer.
     unanswered: u32,
     /// Time of the last start of a replacement (s).
     attempted: Option<f64>,
@@ -218,7 +214,6 @@ fn greet(path: &Path, hello: &HostLine) -> io::Result<(GuardianChannel, Guardian
     }
 }
 
-/// Records the state of the messages and logs changes.
 fn note(report: &Mutex<GuardianReport>, say: &SayLine, passed_on: &PassedOn) {
     let mut report = lock(report);
     let PassedOn { n_lost, trouble, n_interruptions } = passed_on.clone();

@@ -27,7 +27,6 @@ use crate::report::Quantiles;
 /// Interval of the checks of the host's beats and of the port.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Time that the port is kept for a host that restarts.
 const KEPT: Duration = Duration::from_mins(1);
 
 const BACKLOG: i32 = 16;
@@ -165,7 +164,6 @@ impl GuardianProcess {
         if self.open.is_some() { KEPT } else { Duration::ZERO }
     }
 
-    /// Handles a line of the host; returns the answer, if any.
     fn hear(&mut self, line: &str) -> serde_json::Result<Option<GuardianLine>> {
         let now = self.now();
         match serde_json::from_str(line)? {
@@ -249,7 +247,6 @@ impl GuardianProcess {
         }
     }
 
-    /// Ends all notes, closes the port and removes the socket.
     fn close(&mut self, path: &Path) {
         self.leave();
         self.open = None;

@@ -13,7 +13,6 @@ use crate::report::Quantiles;
 /// Protocol version; a guardian of another version is left alone.
 pub(super) const VERSION: u32 = 2;
 
-/// A port that a guardian opens.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub(crate) enum GuardedPort {
     /// A port of this program, to which other programs connect.
@@ -61,7 +60,6 @@ pub(super) fn is_missing(why: &Unavailable) -> bool {
     }
 }
 
-/// A line from the host.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(super) enum HostLine {
     /// The first line of a host: asks for a port.
@@ -77,7 +75,6 @@ pub(super) enum HostLine {
     Finish,
 }
 
-/// A line from the guardian.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(super) enum GuardianLine {
     /// The port is open.

@@ -62,7 +62,6 @@ const fn kind(fault: VoiceFault) -> u8 {
     super::block::fault_number(Some(fault))
 }
 
-/// Describes a fault with its remedy in a sentence.
 fn explained(fault: VoiceFault) -> String {
     match fault {
         VoiceFault::NotFinite => {

@@ -21,7 +21,6 @@ pub struct LinksWatch {
     /// Tick period (s).
     period: f64,
     links: Links,
-    /// Last snapshot of each line, with its tick.
     last: Vec<Option<(u64, LineSnapshot)>>,
 }
 

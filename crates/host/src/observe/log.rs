@@ -25,7 +25,6 @@ pub struct LogSink {
     limit: RateLimit,
     /// Keys with changed values since then, by client.
     changed: BTreeMap<String, BTreeSet<u32>>,
-    /// Version of the last model of each key.
     versions: BTreeMap<u32, u32>,
     since: u64,
     /// `true` until the boards are named.

@@ -28,7 +28,6 @@ impl KeyActivity {
         fault: 0,
     };
 
-    /// Restarts from the present values.
     const fn begin(&mut self) {
         (self.position, self.force) = ((self.now.0, self.now.0), (self.now.1, self.now.1));
         // A key stays asleep and faulty until a row changes it; the other flags were events.

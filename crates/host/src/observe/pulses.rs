@@ -54,7 +54,6 @@ impl Pulses {
     }
 }
 
-/// Returns an outcome's number in messages.
 pub(super) const fn number(outcome: Outcome) -> u8 {
     match outcome {
         Outcome::Met => 0,

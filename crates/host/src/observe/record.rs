@@ -122,7 +122,6 @@ impl Drop for RecordSink {
     }
 }
 
-/// Time span of the black box.
 const KEPT: Duration = Duration::from_secs(30);
 
 /// Memory limit of the black box (bytes).

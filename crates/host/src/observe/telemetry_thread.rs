@@ -112,7 +112,6 @@ pub struct TelemetryThread {
     summed: u64,
 }
 
-/// Receiving ends of the rings and channels.
 struct TelemetrySources {
     rings: TickRecorderRings,
     pulses: Consumer<PulseRow>,
@@ -132,7 +131,6 @@ struct NewestTick {
     dropped: u64,
 }
 
-/// The key of a voice, and the probe of its model.
 type ProbedVoice = (u32, Box<dyn ModelProbe>);
 
 #[derive(Debug, Default)]
@@ -344,7 +342,6 @@ impl TelemetryThread {
         }
     }
 
-    /// Sends the state of the keys to sinks with new clients.
     fn update_newcomers(&mut self) {
         let mut sinks = std::mem::take(&mut self.sinks);
         for sink in sinks.iter_mut().filter_map(|sink| sink.has_newcomers().then_some(sink)) {

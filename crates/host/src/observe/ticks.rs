@@ -9,7 +9,6 @@ pub(super) struct TicksBuilder {
 }
 
 impl TicksBuilder {
-    /// Adds a tick, with its times if known.
     pub(super) fn push(&mut self, tick: u64, pulse: Option<&PulseRow>) {
         let it = &mut self.ticks;
         if it.after.is_empty() {

@@ -6,7 +6,6 @@ use scene::{Instrument, KeyVoice};
 /// The origin of a voice.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin<'a> {
-    /// Number among the voices of the run.
     pub revision: u32,
     /// The instrument of its values; found by its values if it is not known.
     pub instrument: Option<&'a str>,

@@ -89,7 +89,6 @@ pub(super) struct Comparison {
 }
 
 impl Comparison {
-    /// Adds a message of the recording.
     pub(super) fn expect(&mut self, update: Update) {
         if matches!(update, Update::Midi(_)) {
             self.midi.push_back(update);
@@ -157,7 +156,6 @@ impl Comparison {
         if is_emergency { NoteEnding::Emergency } else { NoteEnding::Regular }
     }
 
-    /// Returns the number of sent messages.
     pub(super) fn n_sent(&self) -> usize {
         self.replayed_midi.len()
     }

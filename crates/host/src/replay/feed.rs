@@ -38,13 +38,9 @@ pub(super) enum Arm {
 #[derive(Debug)]
 pub(super) struct Feed {
     rows: Vec<VecDeque<(u64, KeyTick)>>,
-    /// Last state of each key.
     last: Vec<KeyTick>,
-    /// Ticks from which voices are felt or not.
     arms: BTreeMap<u64, Arm>,
-    /// Ticks from which the omissions change.
     simplified: BTreeMap<u64, Simplifications>,
-    /// First tick before which rows are missing.
     gap: Option<u64>,
 }
 
@@ -81,7 +77,6 @@ impl Feed {
         }
     }
 
-    /// Adds an event, if it is an input.
     pub(super) fn event(&mut self, event: &Event) {
         let arm = match event.kind() {
             Kind::Overload => {
@@ -128,12 +123,10 @@ impl Feed {
         })
     }
 
-    /// Marks the inputs from `tick` on as missing.
     pub(super) fn lose(&mut self, tick: u64) {
         self.gap.get_or_insert(tick);
     }
 
-    /// Returns the first tick before which rows are missing, if any.
     pub(super) const fn gap(&self) -> Option<u64> {
         self.gap
     }

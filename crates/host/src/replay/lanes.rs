@@ -15,7 +15,6 @@ use engine::realtime::pool::{LateResult, PanicGuard};
 use engine::voice::{AnyVoice, VoiceBuilder};
 use scene::{KeyVoice, Render, Scene};
 
-/// A voice of the recording.
 #[derive(Clone, Debug)]
 pub(super) struct RecordedVoice {
     pub(super) voice: KeyVoice,
@@ -37,17 +36,14 @@ struct ReplaySlot {
     is_unknown: bool,
 }
 
-/// Voices by key and revision.
 type RecordedVoices = BTreeMap<(usize, u32), RecordedVoice>;
 
-/// Lanes with the voices of a recording.
 pub(super) struct ReplayLanes {
     slots: Vec<Option<ReplaySlot>>,
     voices: RecordedVoices,
     scene: Scene,
     /// Inputs of the current tick.
     fed: Vec<KeyTick>,
-    /// Reason why a voice could not be built.
     pub(super) failed: Option<ReplayError>,
 }
 
@@ -78,7 +74,6 @@ impl ReplayLanes {
         self.slots.iter().flatten().any(|slot| slot.is_unknown)
     }
 
-    /// Sets the inputs of the next tick.
     pub(super) fn feed(&mut self, fed: Vec<KeyTick>) {
         self.fed = fed;
     }

@@ -32,10 +32,8 @@ pub enum ReplayError {
          can be replayed"
     )]
     Middle(u64),
-    /// The beginning of the recording is damaged.
     #[error("{0}; the run's beginning is lost, so the recording can be exported, but not replayed")]
     Beginning(String),
-    /// The scene is of another version.
     #[error("the scene in the recording is not understood by this version: {0}")]
     Scene(String),
     #[error("a voice of the recording cannot be built: {0}")]

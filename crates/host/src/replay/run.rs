@@ -106,7 +106,6 @@ struct RecordedInputs {
     has_hole: bool,
 }
 
-/// The scheduler, between recorded samples and rebuilt voices.
 struct ReplayEngine {
     scheduler: Box<scheduler::tick::Scheduler>,
     timetable: Timetable,

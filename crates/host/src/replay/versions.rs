@@ -8,7 +8,6 @@ use telemetry::{Catalogue, Voice};
 
 use super::ReplayError;
 
-/// Recorded versions of descriptions, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RecordedVersions {
     /// Reads the recorded texts, without the disk.

@@ -34,7 +34,6 @@ pub struct BoardLine {
     pub reset_reason: u8,
     /// Hottest temperature of its motors (°C).
     pub hottest_c: Option<f64>,
-    /// The board's own counters, 1 s before the end.
     pub counted: Option<Counted>,
 }
 
@@ -45,7 +44,6 @@ pub struct BoardFrames {
     pub samples_hz: f64,
     /// Forces that the link accepted per second (1/s).
     pub forces_hz: f64,
-    /// Received sample frames.
     pub frames: u64,
     /// Jumps of their numbers.
     pub gaps: u64,
@@ -53,7 +51,6 @@ pub struct BoardFrames {
     pub missing: u64,
     /// Frames that arrived again or after newer ones.
     pub repeated_or_overtaken: u64,
-    /// Rejected frames.
     pub refused: u64,
     /// Forces that the link rejected.
     pub unsent: u64,
@@ -110,7 +107,6 @@ pub struct MutedKey {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct RoundTrips {
     pub p50: u32,
-    /// 99th percentile.
     pub p99: u32,
     pub max: u32,
 }
@@ -123,12 +119,10 @@ pub struct Counted {
     pub refused: u32,
     /// Receptions that were no frame.
     pub corrupt: u32,
-    /// Stale forces, not rendered.
     pub stale: u32,
     pub unanswered: u32,
     /// Age of the oldest samples behind a rendered force (ms).
     pub oldest_ms: f64,
-    /// Expirations of forces.
     pub trips: u16,
 }
 
@@ -282,7 +276,6 @@ pub(crate) fn key_names(first_key: u8, slots: u16) -> Vec<String> {
     keys.map(|(_, key)| key.to_string()).collect()
 }
 
-/// Returns the muted keys of a board with this first key.
 pub(crate) fn muted_keys(first_key: u8, muted: &[Option<KeyFault>; MOST_KEYS]) -> Vec<MutedKey> {
     let keys = (first_key..).map_while(KeyIndex::new).zip(muted);
     let key = |(key, muted): (KeyIndex, &Option<KeyFault>)| {
@@ -341,7 +334,6 @@ impl BoardLine {
         all.map(|it| format!("{name}: {it}")).collect()
     }
 
-    /// Returns the share of its samples that were lost.
     fn lost(&self) -> f64 {
         let BoardFrames { frames, missing, .. } = self.frames;
         missing as f64 / (frames + missing).max(1) as f64

@@ -10,7 +10,6 @@ pub struct ChosenFidelity {
     pub instrument: String,
     /// Share of each lane's time when all keys of the range move.
     pub share: f64,
-    /// Levels above it.
     pub refused: Vec<RefusedFidelity>,
 }
 

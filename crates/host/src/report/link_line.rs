@@ -14,17 +14,13 @@ pub struct LinkLine {
     pub load: LinkLoad,
     /// Receptions that were no frame.
     pub corrupt: u64,
-    /// Frames of unknown boards.
     pub foreign: u64,
-    /// Receptions that failed because the link was down.
     pub down: u64,
     pub state: &'static str,
     /// Transmission errors, which the controller counts up and down.
     pub transmit_errors: u8,
     pub receive_errors: u8,
-    /// Error reports of the controller.
     pub reports: u64,
-    /// Times that it was reopened or restarted.
     pub restarts: u64,
     /// Frames dropped by the host because earlier ones were still on their way.
     pub dropped: u64,

@@ -40,7 +40,6 @@ pub struct RunReport {
     pub totals: VoiceTotals,
     /// Exchange with the boards, summed over them.
     pub links: LinkReport,
-    /// Real boards.
     pub boards: Vec<BoardLine>,
     pub lines: Vec<LinkLine>,
     /// Energy audit of all voices (J).
@@ -60,7 +59,6 @@ pub struct RunReport {
 pub struct RunExtent {
     pub voices: usize,
     pub tick_hz: u32,
-    /// Ticks that ran.
     pub ticks: u64,
     /// Ticks that never ran; `deadline` counts them as missed.
     pub skipped: u64,
@@ -77,7 +75,6 @@ pub struct VoiceTotals {
     pub events: u64,
     /// Hammers that met their string.
     pub strikes: u64,
-    /// Turns that ended in a fault.
     pub faults: u64,
     /// Keys muted because they generated energy or failed repeatedly.
     pub muted: Vec<String>,
@@ -126,7 +123,6 @@ pub struct Realtime {
     pub memory_locked: bool,
     /// `true` if processors are kept from deep sleep.
     pub latency_held: bool,
-    /// Steps to get more rights, a sentence each.
     pub advice: Vec<String>,
 }
 
@@ -137,7 +133,7 @@ pub struct Deadline {
     pub missed: u64,
     /// Missed because the voices took too long.
     pub missed_own_work: u64,
-    /// Of these, with no more evaluations than a tick in time, so no model took that time.
+    /// Those with no more evaluations than a tick in time, so no model took that time.
     pub own_work_unexplained: u64,
     /// Ticks without time because simulated keys made up for skipped ticks.
     pub by_simulated_keys: u64,
@@ -196,9 +192,7 @@ pub struct Evaluations {
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct LinkReport {
     pub frames: u64,
-    /// Frames known to be missing.
     pub gaps: u64,
-    /// Rejected bytes or frames.
     pub refused: u64,
     /// Times that boards were rearmed after their watchdogs had removed the forces.
     pub rearmed: u64,

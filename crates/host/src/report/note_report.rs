@@ -15,7 +15,6 @@ pub struct NoteReport {
     /// Notes that the pieces ask for within the run, in all passes.
     pub played: usize,
     pub struck: usize,
-    /// Notes that were not struck.
     pub missed: usize,
     /// Strikes that are not in the pieces.
     pub extra: usize,
@@ -30,7 +29,6 @@ pub struct NoteReport {
     pub range_m_per_s: Option<(f64, f64)>,
     /// Predicted shortcomings of the keys in one pass, in order of time.
     pub shortfalls: Vec<NoteShortfall>,
-    /// Notes that are not asked for, in one pass.
     pub unplayed: UnplayedNotes,
 }
 
@@ -39,7 +37,6 @@ pub struct NoteReport {
 pub struct UnplayedNotes {
     /// Notes on keys without a voice in the scene.
     pub without_voice: usize,
-    /// Names of these keys, ascending.
     pub keys_without_voice: Vec<String>,
     /// Notes beyond the 88 keys, or percussion.
     pub outside: u32,
@@ -117,7 +114,6 @@ pub struct NoteDeviation {
     pub key: String,
     /// Intended time of the note, or time of the extra strike (s since the start of the run).
     pub at_s: f64,
-    /// `missed`, `late` or `extra`.
     pub what: &'static str,
     /// Lateness of the strike (ms); `None` unless the note is late.
     pub late_ms: Option<f64>,

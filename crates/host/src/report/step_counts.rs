@@ -9,7 +9,6 @@ use serde::Serialize;
 pub struct StepCounts {
     /// Steps in which no crossing of the computed orbit was missed.
     pub certain: u64,
-    /// Steps in which a crossing may have been missed.
     pub unknown: u64,
     /// Steps of both kinds in ticks of their key with an event.
     pub in_ticks_with_events: u64,

@@ -72,7 +72,6 @@ impl FoundKeys {
         Err(SessionError::Unstable(unstable.join("\nletoff: ")))
     }
 
-    /// Returns a sentence on each notice about the keys.
     pub fn notices(&self) -> Vec<String> {
         let keys = KeyIndex::all().filter(|key| is_absent(&self.scene, key.index()));
         let absent = without_board(&keys.collect::<Vec<_>>());

@@ -11,7 +11,6 @@ use crate::connected_boards::{self, PATIENCE_US, calibration, open_all, planning
 use engine::realtime::clock;
 use scene::{Boards, period_us};
 
-/// Keys before a run.
 pub(super) enum KeySource {
     Simulated(SimulatedKeys),
     /// On boards that were found and may be armed.
@@ -81,7 +80,6 @@ impl KeySource {
         Some((way + 0.5 * period).min(LONGEST_DELAY))
     }
 
-    /// Returns a sentence on each notice about the keys.
     pub(super) fn notices(&self) -> Vec<String> {
         let Self::Boards(keybed, ..) = self else { return Vec::new() };
         let (boards, links): (Vec<_>, Vec<_>) = keybed

@@ -22,7 +22,6 @@ use crate::report::{BoardLine, LinkLine, LinkReport};
 /// Planned load of each line; `None` where times are not known.
 pub(super) type Plans = Vec<Option<BusPlan>>;
 
-/// Keys in a run.
 pub(super) enum KeyTransport {
     Simulated(SimulatedKeys),
     /// Keys on armed boards, the plan of each line, and the time at which tick 0 is due (us).
@@ -47,7 +46,6 @@ impl KeyTransport {
         Self::Simulated(keys)
     }
 
-    /// Returns keys on armed boards for ticks from `start` on.
     pub(super) fn on_boards(
         mut keybed: Box<Keybed<Armed>>,
         plans: Plans,
@@ -76,7 +74,6 @@ impl KeyTransport {
     }
 }
 
-/// Publishes the sources of `samples` to telemetry.
 fn publish(
     samples: Consumer<LinkSample>,
     lines: Vec<Line>,
@@ -173,7 +170,6 @@ impl KeyTransport {
         }
     }
 
-    /// Returns a line on each link; none if simulated.
     pub(super) fn lines(&self, seconds: f64) -> Vec<LinkLine> {
         match self {
             Self::Simulated(_) => Vec::new(),

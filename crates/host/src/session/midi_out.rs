@@ -30,12 +30,9 @@ pub(crate) fn nowhere() -> AnyOutput {
     Box::new(Nowhere)
 }
 
-/// An open output and its report.
 #[derive(Clone, Debug)]
 pub(super) struct OpenedOutput {
-    /// Its part of the report before the run.
     pub(super) report: MidiReport,
-    /// Report of its guardian, if it has one.
     guardian: Arc<Mutex<GuardianReport>>,
 }
 
@@ -154,7 +151,6 @@ fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     }
 }
 
-/// Rejects a file or folder in the place of a device.
 fn refuse_file(path: &Path) -> Result<(), SessionError> {
     if path.metadata().is_ok_and(|there| there.is_file() || there.is_dir()) {
         return Err(SessionError::Midi(format!(

@@ -63,12 +63,10 @@ use unit_costs::UnitCosts;
 /// Reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
-    /// The values of the scene yield no voice.
     #[error(transparent)]
     Build(#[from] BuildError),
     #[error(transparent)]
     Rehearsal(#[from] RehearsalError),
-    /// The simulated keybed rejects the scene's period.
     #[error("the simulated keybed cannot run the scene: {0}")]
     Keybed(#[from] boards::Error),
     #[error("the performance `{name}` cannot be played: {reason}")]
@@ -77,7 +75,6 @@ pub enum SessionError {
         /// Mistake and remedy.
         reason: String,
     },
-    /// The MIDI file cannot be written there.
     #[error("the MIDI file {path} cannot be written: there is no folder {folder}; make it first")]
     NoFolder { path: String, folder: String },
     /// The MIDI output is of no known kind.
@@ -92,7 +89,6 @@ pub enum SessionError {
     /// Boards are missing or not usable.
     #[error(transparent)]
     Boards(#[from] boards::refusal::Refusals),
-    /// Boards cannot exchange at this rate.
     #[error(
         "boards exchange in whole steps of 100 us, which {tick_hz} Hz is not; \
          give tick_hz = 1000, 500, 2000 or another that divides 10000"
@@ -106,13 +102,11 @@ pub enum SessionError {
     /// Keys are not stable with the measured delay of their links; a sentence on each range.
     #[error("with the delay of these links, {0}")]
     Unstable(String),
-    /// Boards follow their own time.
     #[error(
         "boards go by their own time; leave --virtual-time out, or the links; only programs behind \
          rig: links go by virtual time"
     )]
     RealBoards,
-    /// A program in lockstep, in a run in real time.
     #[error("the program behind rig:{program} lives in virtual time only; give --virtual-time")]
     VirtualBoards { program: String },
     #[error(
@@ -233,7 +227,6 @@ pub struct RunPlan {
     pub n_voices: usize,
     n_lanes: NonZeroUsize,
     threads: ThreadPlan,
-    /// Ticks of the run; `None` if it runs until it is stopped.
     pub ticks: Option<u64>,
     virtual_time: bool,
 }
@@ -327,7 +320,6 @@ impl RunSession {
         &self.prepared.plan
     }
 
-    /// Returns the ticks of a pass, if its play list repeats.
     pub fn pass(&self) -> Option<u64> {
         self.prepared.play_list.as_ref()?.pass
     }
@@ -337,7 +329,6 @@ impl RunSession {
         self.prepared.midi.report.words()
     }
 
-    /// Returns the counters, which may be read while it runs.
     pub fn counters(&self) -> Arc<LiveCounters> {
         Arc::clone(&self.prepared.counters)
     }
@@ -518,7 +509,6 @@ fn all_keys() -> impl Iterator<Item = KeyIndex> {
     (0..=u8::MAX).map_while(KeyIndex::new)
 }
 
-/// Policy of a run without a clock.
 fn no_clock() -> (Realtime, Deadline) {
     let realtime = Realtime {
         policy: "virtual time".into(),

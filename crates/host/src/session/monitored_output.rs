@@ -6,7 +6,6 @@ use telemetry::{Midi, Update};
 use crate::midi_thread::AnyOutput;
 use crate::observe::TelemetryMessage;
 
-/// An output that also sends its messages to telemetry.
 pub(crate) struct MonitoredOutput {
     pub(crate) output: AnyOutput,
     pub(crate) sender: mpsc::Sender<TelemetryMessage>,

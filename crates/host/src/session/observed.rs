@@ -26,7 +26,6 @@ use scene::{KeyVoice, Scene};
 /// Interval of the polls of the rings: one frame of a screen.
 const LOOK: Duration = Duration::from_millis(16);
 
-/// Both observers of the tick.
 pub(crate) struct Watchers {
     pub(crate) publisher: TickPublisher,
     pub(crate) recorder: TickRecorder,
@@ -43,7 +42,6 @@ impl TickObserver for Watchers {
     }
 }
 
-/// Outputs of the tick's recorder.
 pub(super) struct ObservedOutputs {
     pulses: Pulses,
     telemetry: Box<TelemetryThread>,
@@ -143,7 +141,6 @@ pub(super) struct RunningTelemetry {
 }
 
 impl RunningTelemetry {
-    /// Starts the thread.
     pub(super) fn start(mut telemetry: Box<TelemetryThread>) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);

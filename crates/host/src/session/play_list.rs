@@ -23,14 +23,12 @@ pub use pianist::Progress as PianistProgress;
 /// Silence between two pieces (s), in which fingers and strings come to rest.
 const REST: f64 = 2.0;
 
-/// A play list, ready to be played.
 #[derive(Debug)]
 pub(super) struct RehearsedPlayList {
     pub(super) performance: Performance,
     pub(super) pieces: usize,
     /// Length of a pass in ticks, if the list repeats.
     pub(super) pass: Option<u64>,
-    /// Notes of the pieces that are not asked for.
     pub(super) unplayed: UnplayedNotes,
 }
 

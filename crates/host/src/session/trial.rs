@@ -18,7 +18,6 @@ pub trait RunTrial: Send {
     fn send(&mut self, tick: u64, forces: &[f64; KEYS], keybed: &SimulatedKeybed);
 }
 
-/// Simulated keys, with an optional trial.
 pub(super) struct SimulatedKeys {
     pub(super) keybed: Box<SimulatedKeybed>,
     pub(super) trial: Option<Box<dyn RunTrial>>,

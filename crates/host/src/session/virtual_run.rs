@@ -13,7 +13,6 @@ use crate::report::RunReport;
 use engine::realtime::run::{Assembly, Until};
 use engine::realtime::virtual_time;
 
-/// Ticks between two polls of the rings.
 const TICKS_PER_LOOK: u64 = 16;
 
 /// Runs all ticks; MIDI follows after each tick, on this thread.

@@ -23,16 +23,13 @@ pub struct BoardProcess {
     pub address: String,
     /// Rate of its clock; 1 is correct.
     rate: f64,
-    /// Time of power-on.
     began: Option<Nanos>,
-    /// Time of the first arming.
     armed: Option<Nanos>,
     faults: Vec<FaultScript>,
     next: usize,
     injected: InjectedFaults,
     release: ReleaseWatch,
     was_lit: bool,
-    /// Times that its light went on.
     pub lights: u64,
     /// Last time at which it ran, and the longest pause while it was armed.
     ran_until: Option<Nanos>,
@@ -51,7 +48,6 @@ struct ReleaseWatch {
     force_while_safe: f64,
 }
 
-/// End times of active faults.
 #[derive(Clone, Copy, Debug, Default)]
 struct InjectedFaults {
     off: Nanos,
@@ -137,7 +133,6 @@ impl BoardProcess {
         }
     }
 
-    /// Injects the next fault if it is due.
     fn inject_faults(&mut self, now: Nanos) {
         let (Some(armed), Some(fault)) = (self.armed, self.faults.get(self.next)) else { return };
         if now.since(armed).as_secs_f64() < fault.at {
@@ -215,7 +210,6 @@ impl Link for FaultyLink<'_> {
     }
 }
 
-/// Sends a random frame.
 fn babble(now: Nanos, link: &mut impl Link) {
     let mut state = now.as_u64() | 1;
     let mut frame = [0; 40];

@@ -3,7 +3,6 @@
 /// A fault of a simulated board; each number is its length (s) unless noted.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum FaultEvent {
-    /// The board and its link are gone.
     Die,
     /// The board loses its power, then restarts.
     Restart(f64),

@@ -25,7 +25,7 @@ pub struct ExitReport {
     pub number: u8,
     pub keys: String,
     pub link: String,
-    /// `rendering`, or the reason why it renders no forces.
+    /// Reason why it renders no forces, or `it is armed`.
     pub state: &'static str,
     /// Largest force of its motors now (N).
     pub force_n: f64,
@@ -36,7 +36,6 @@ pub struct ExitReport {
     pub force_while_safe_n: f64,
     /// Longest pause in which this machine did not run it while it rendered forces (ms).
     pub longest_gap_ms: f64,
-    /// Times that its light went on.
     pub lights: u64,
     pub counts: BoardCounts,
 }
@@ -66,7 +65,6 @@ pub fn run(
     }
 }
 
-/// Returns the faults of the board `number` in order of time.
 pub fn faults_of(faults: &[FaultScript], number: u8) -> Vec<FaultScript> {
     let mut its: Vec<_> = faults.iter().copied().filter(|it| it.number == number).collect();
     its.sort_by(|one, other| one.at.total_cmp(&other.at));

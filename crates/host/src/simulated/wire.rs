@@ -23,7 +23,6 @@ pub enum WireEndpoint {
 /// A board's end of its link, and the host's address.
 pub struct Placed {
     pub link: Box<dyn Link + Send>,
-    /// Address that a host has to open.
     pub address: Address,
     /// Kept since the wire lives as long as the link.
     _wire: Option<Wire>,
@@ -35,7 +34,6 @@ impl std::fmt::Debug for Placed {
     }
 }
 
-/// Opens the link of a board.
 pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, boards::links::Error> {
     match at {
         WireEndpoint::Pty => {

@@ -9,7 +9,6 @@ pub(super) trait CanBus {
     /// Sends a frame of the bus; `data` has a valid length.
     fn write(&mut self, id: u16, data: &[u8]) -> Result<(), SendError>;
 
-    /// Returns the next arrival, if any.
     fn read(&mut self) -> Result<Option<BusRead>, RecvError>;
 }
 

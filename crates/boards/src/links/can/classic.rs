@@ -9,7 +9,6 @@ use crate::links::SendError;
 const CLASSES: usize = 16;
 const NODES: usize = 16;
 
-/// State of an identifier.
 #[derive(Clone, Debug, Default)]
 struct ReassemblyState {
     assembler: Reassembler,
@@ -66,7 +65,6 @@ impl Classic {
         }
     }
 
-    /// Sends the remaining pieces.
     pub(super) fn flush(&mut self, bus: &mut impl CanBus) -> Result<(), SendError> {
         let Sending { id, frame, len, roll, next } = &mut self.sending;
         let Some(first) = *next else { return Ok(()) };

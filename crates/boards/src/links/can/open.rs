@@ -15,7 +15,6 @@ pub(super) fn check(interface: &str, mode: CanMode) -> Result<(), CanTrouble> {
     obstacle(found, mode).map_or(Ok(()), Err)
 }
 
-/// Returns the reason why an interface cannot be used in `mode`.
 fn obstacle(can: &CanInterface, mode: CanMode) -> Option<CanTrouble> {
     if mode == CanMode::Fd && !can.carries_fd {
         let name = &can.name;

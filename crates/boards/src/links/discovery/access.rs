@@ -68,7 +68,6 @@ impl User {
     }
 }
 
-/// Owner and permissions of a device.
 #[cfg(unix)]
 struct Rights {
     owner: u32,

@@ -21,7 +21,6 @@ const NONE: &str = "there is no CAN interface: plug in an adapter whose driver i
                     kernel, or make a virtual one: sudo modprobe vcan && \
                     sudo ip link add vcan0 type vcan";
 
-/// Lists the CAN interfaces of this machine.
 pub fn can_interfaces() -> Result<Listing<CanInterface>, Error> {
     let mut listing = known_can_interfaces()?;
     if cfg!(target_os = "linux") {
@@ -64,7 +63,6 @@ fn interfaces_in(net: &Path) -> Result<Listing<CanInterface>, Error> {
     Ok(Listing::new(found, NONE))
 }
 
-/// Returns the interface of `folder`, if it is a CAN interface.
 fn interface(folder: &Path) -> Option<CanInterface> {
     let text =
         |file: &str| fs::read_to_string(folder.join(file)).ok().map(|text| text.trim().to_owned());
@@ -93,7 +91,6 @@ fn interface(folder: &Path) -> Option<CanInterface> {
     Some(can)
 }
 
-/// Returns the driver that a device's `uevent` names.
 fn driver(uevent: &str) -> Option<String> {
     uevent.lines().find_map(|line| line.strip_prefix("DRIVER=")).map(str::to_owned)
 }

@@ -4,7 +4,6 @@ use crate::links::obstacle::Obstacle;
 /// A CAN interface of this machine.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CanInterface {
-    /// Name in `ip link`.
     pub name: String,
     /// `true` if it exists in memory only.
     pub is_virtual: bool,
@@ -20,8 +19,6 @@ pub struct CanInterface {
     pub queue_length: Option<u32>,
     pub driver: Option<String>,
     pub link: Option<CanLink>,
-    /// Reason why it cannot be used, if known.
     pub obstacle: Option<Obstacle>,
-    /// Advice, a sentence each.
     pub advice: Vec<String>,
 }

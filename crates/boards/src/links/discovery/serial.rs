@@ -22,13 +22,10 @@ pub struct SerialPort {
     pub path: PathBuf,
     /// Identity, if it is a USB device; boards are distinguished by its serial number.
     pub usb: Option<UsbIdentity>,
-    /// Position in the USB tree, if it is a USB device.
     pub place: Option<UsbPlace>,
     /// Delay of bytes by its adapter, if it has a latency timer (ms).
     pub latency: Option<u32>,
-    /// Reason why it cannot be used, if known.
     pub obstacle: Option<Obstacle>,
-    /// Advice, a sentence each.
     pub advice: Vec<String>,
 }
 

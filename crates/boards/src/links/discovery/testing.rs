@@ -14,7 +14,6 @@ impl Root {
         Self(root.canonicalize().unwrap())
     }
 
-    /// Adds a file with a line of text, and the folders above it.
     pub(super) fn with(self, file: &str, text: &str) -> Self {
         let path = self.0.join(file);
         fs::create_dir_all(path.parent().unwrap()).unwrap();

@@ -101,7 +101,6 @@ impl Link for Lockstep {
     }
 }
 
-/// A program and the bytes on their way from and to it.
 #[derive(Debug)]
 struct LockedProgram {
     command: String,
@@ -118,7 +117,6 @@ struct LockedProgram {
     message: Vec<u8>,
     /// Unread bytes of its boards.
     received: VecDeque<u8>,
-    /// Reason why the link is down for good.
     fault: Option<Error>,
 }
 
@@ -238,7 +236,6 @@ impl LockedProgram {
     }
 }
 
-/// Bytes of the next exchange.
 impl Link for LockedProgram {
     fn try_send(&mut self, bytes: &[u8]) -> Result<(), SendError> {
         if self.fault.is_some() {

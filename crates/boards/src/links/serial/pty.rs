@@ -28,7 +28,6 @@ impl Pty {
     }
 }
 
-/// Both ends of a pseudo-terminal as descriptors.
 #[derive(Debug)]
 pub(crate) struct PtyPair {
     /// This side, which does not wait.

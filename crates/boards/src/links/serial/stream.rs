@@ -6,7 +6,6 @@ use rustix::io::{Errno, ioctl_fionread};
 #[derive(Debug)]
 pub(crate) struct NonBlockingFd(OwnedFd);
 
-/// The other end is gone.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Disconnected;
 

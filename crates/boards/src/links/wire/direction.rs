@@ -78,7 +78,6 @@ impl WireDirection {
         self.queue.clear();
     }
 
-    /// Returns the arrival time of the next byte, if any.
     pub(super) fn next(&self) -> Option<u64> {
         self.queue.front().map(|(due, _)| *due)
     }

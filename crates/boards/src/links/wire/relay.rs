@@ -12,7 +12,6 @@ const CHUNK: usize = 1_024;
 const LONGEST_SLEEP: u64 = 5_000_000;
 const SHORTEST_SLEEP: u64 = 20_000;
 
-/// Relays bytes between two ports until it is stopped.
 pub(super) fn run(host: &PtyPair, board: &PtyPair, plan: WirePlan, control: &WireControl) {
     let (mut down, mut up) = (WireDirection::new(plan, 0), WireDirection::new(plan, 1));
     let clock = WireClock::start();

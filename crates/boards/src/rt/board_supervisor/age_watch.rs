@@ -13,7 +13,6 @@ const MEMORY: f64 = 8.0;
 const SOFT: f64 = 1.25;
 const MUTE: f64 = 1.75;
 
-/// Ages of one board's samples.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct AgeWatch {
     /// Mean age of the first samples (us), and their number.
@@ -36,7 +35,6 @@ impl AgeWatch {
         }
     }
 
-    /// Forgets the usual age, for a board that is rearmed.
     pub(super) fn forget(&mut self) {
         *self = Self::default();
     }

@@ -3,15 +3,12 @@ use firmware_protocol::acyclic::{Operation, Status};
 /// State of a board's bring-up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ArmState {
-    /// A hello is requested.
     Greeting,
     /// The homing state of its encoders is requested.
     Checking,
-    /// Samples are requested.
     Streaming,
     /// It sends samples, whose rate must be the one that it confirmed.
     Measuring,
-    /// A nonce is requested.
     Disarming,
     /// Arming is requested.
     Arming {

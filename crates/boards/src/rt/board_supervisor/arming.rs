@@ -44,12 +44,10 @@ const MOST_RESTARTS: u8 = 4;
 /// Pause after too many attempts (us).
 const LEFT_ALONE_US: u64 = 10_000_000;
 
-/// The bring-up of one board.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arming {
     state: ArmState,
     armings: u64,
-    /// Attempts since the last arming.
     attempts: u8,
     /// Begin of the state `Confirming` or `Armed` (us).
     since: u64,

@@ -71,7 +71,6 @@ impl HealthWatch {
         })
     }
 
-    /// Returns a failed key with an unknown cause.
     fn unexplained(&self) -> Option<u8> {
         (0..self.n_keys)
             .find(|slot| self.failed >> slot & 1 == 1 && self.causes[usize::from(*slot)].is_none())

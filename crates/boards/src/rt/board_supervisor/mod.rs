@@ -174,7 +174,6 @@ impl BoardSupervisor {
         self.sessions.get(board).map(BoardSession::status)
     }
 
-    /// Returns the condition of a board; not for the tick.
     pub fn condition(&self, board: usize) -> Option<Condition> {
         self.sessions.get(board).map(BoardSession::condition)
     }

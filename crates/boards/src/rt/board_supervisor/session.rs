@@ -209,7 +209,6 @@ impl BoardSession {
         self.channel.due(now)
     }
 
-    /// Checks if the board is still there and renders forces.
     fn watch(&mut self, now: u64, board: usize, bus: &mut KeybedBus) {
         if std::mem::take(&mut self.is_anew) {
             bus.forget(board);

@@ -10,7 +10,6 @@ const MOST_QUICK_PINGS: u32 = 32;
 /// Interval of quick round trips (us).
 const QUICK_PING_US: u64 = 10_000;
 
-/// A board's clock, learned from round trips.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BoardTiming {
     clock: ClockModel,

@@ -19,7 +19,6 @@ const LEAST_OFFSET: f64 = 0.02;
 /// Fastest rise of a force (N/s): the key of the loudest strike stays below.
 const FASTEST_RISE: f64 = 12e3;
 
-/// Path of one key's force.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ForcePath {
     sent: f64,

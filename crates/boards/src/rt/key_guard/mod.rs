@@ -30,7 +30,6 @@ use trend::{KeyTrend, TrendVerdict};
 /// Share of its force that a key keeps after it has shaken once.
 const SOFT: f64 = 0.5;
 
-/// The guard of one key.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KeyGuard {
     trend: KeyTrend,

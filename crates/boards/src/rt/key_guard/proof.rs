@@ -101,7 +101,6 @@ enum ProofStage {
     Failed(KeyFault),
 }
 
-/// Progress of the proof of one motor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MotorProof {
     stage: ProofStage,

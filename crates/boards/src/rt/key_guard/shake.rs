@@ -16,7 +16,6 @@ const WINDOW: f64 = 0.05;
 /// Number of half-waves that are stored, and too many.
 const N: usize = 11;
 
-/// Recent half-waves of one force.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ShakeWatch {
     /// Counted peak of each (N), and time since its end (s), the newest first.

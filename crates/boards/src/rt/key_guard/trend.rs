@@ -26,7 +26,6 @@ const SLIP_MOTION: f64 = 0.25;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum TrendVerdict {
-    /// It follows the trend.
     Follows,
     /// It leaves the trend, and the next one will explain it.
     Leaves,

@@ -23,7 +23,6 @@ pub(super) struct BusTime {
 }
 
 impl BusTime {
-    /// Receives the bus time `host_us`.
     pub(super) const fn hear(&mut self, now_us: u64, host_us: u32) {
         self.offset = Some((low(now_us).wrapping_sub(host_us), now_us));
     }

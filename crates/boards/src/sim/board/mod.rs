@@ -48,9 +48,7 @@ const MAX_FRAMES: usize = 64;
 /// Counts of a board.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct BoardCounts {
-    /// Sample frames that the link accepted.
     pub samples: u64,
-    /// Sample frames that the link rejected.
     pub unsent: u64,
     pub forces: u64,
     /// Receptions that were no frame.
@@ -63,7 +61,6 @@ pub struct BoardCounts {
     pub unarmed: u64,
     /// Samples that the arriving forces skipped.
     pub unanswered: u64,
-    /// Expirations of forces.
     pub trips: u64,
     pub armings: u64,
     /// Age of the oldest samples behind a rendered force (us).
@@ -73,14 +70,12 @@ pub struct BoardCounts {
 /// Description of a simulated board.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BoardMake {
-    /// Number on its link.
     pub id: BoardId,
     pub first_key: u8,
     /// Number of its keys, `1 ..= 12`.
     pub n_keys: usize,
     /// Its tick (s), in which it computes its motors' forces.
     pub period: f64,
-    /// Parameters of its keys.
     pub rig: RigParameters,
     /// Reading of its encoders for keys at rest (counts).
     pub offset: i32,
@@ -92,9 +87,7 @@ pub struct BoardMake {
 /// Untrue statements of a board about itself; by default none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FakeIdentity {
-    /// Another major version of the protocol.
     pub major: Option<u8>,
-    /// Another hash of the cyclic layouts.
     pub schema: Option<u64>,
     /// Other keys: the first, and their number.
     pub keys: Option<(u8, u8)>,
@@ -200,7 +193,6 @@ impl SimulatedBoard {
         self
     }
 
-    /// Replaces the gestures of the key in `slot`.
     pub fn play(&mut self, slot: usize, gestures: Vec<Gesture>) {
         if let Some(key) = self.keys.get_mut(slot) {
             key.play(gestures);
@@ -278,7 +270,6 @@ impl SimulatedBoard {
         self.keys.iter().map(Plant::calibration)
     }
 
-    /// Returns the hello of the board.
     pub fn introduction(&self) -> Introduction {
         let FakeIdentity { major, schema, keys, uid } = self.make.fake_identity;
         let n_keys = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
@@ -369,7 +360,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Executes a frame to all boards.
     fn obey(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         match Broadcast::decode(frame) {
             Ok(Broadcast::EmergencyStop { .. }) => {
@@ -437,7 +427,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Sends the positions at the start of `tick`.
     fn report(&mut self, tick: u64, link: &mut impl Link) {
         self.reported = Some(tick);
         let taken_us = self.progress.us(tick);
@@ -467,7 +456,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Sends an acyclic frame.
     fn send(&mut self, frame: &[u8], link: &mut impl Link) {
         self.counts.unsent += u64::from(link.try_send(frame).is_err());
     }

@@ -27,7 +27,6 @@ use crate::sim::force_interlock::NotArmed;
 
 const LOG: usize = 32;
 
-/// State that requests read and write.
 #[derive(Clone, Debug)]
 pub(super) struct BoardRequestHandler {
     settings: [i32; setting::COUNT as usize],
@@ -76,7 +75,6 @@ impl BoardRequestHandler {
         self.boots = before.boots.saturating_add(1);
     }
 
-    /// Returns the keys whose motors are off, the first in bit 0.
     pub(super) const fn muted(&self) -> u16 {
         self.muted
     }

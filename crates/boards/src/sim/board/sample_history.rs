@@ -5,7 +5,6 @@ use firmware_protocol::frame::Header;
 use firmware_protocol::frame::key_samples::KeySamples;
 use firmware_protocol::sequence::SequenceNumber;
 
-/// A frame of samples, and its time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sent {
     pub(super) samples: KeySamples,

@@ -26,7 +26,6 @@ const TICK_US: u64 = 1_000;
 /// Force that holds keys on their felts (mN).
 const DOWN: i32 = -2_000;
 
-/// A board, the host's end of its wire, and the current tick.
 struct Bench {
     board: SimulatedBoard,
     wire: Loopback,
@@ -38,7 +37,6 @@ struct Bench {
 }
 
 impl Bench {
-    /// Starts a board that sends samples and renders forces.
     fn new(number: u8) -> Self {
         let id = BoardId::new(number).unwrap();
         let make = BoardMake::standard(id, TICK_US as f64 * 1e-6, RigParameters::default());

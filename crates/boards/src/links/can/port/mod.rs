@@ -92,7 +92,6 @@ impl<B: CanBus> Link for CanPort<B> {
     }
 }
 
-/// Copies a frame into `buffer` if it matches this identifier.
 fn deliver(id: u16, frame: &[u8], buffer: &mut [u8]) -> Result<usize, RecvError> {
     let len = frame.len();
     if !agrees(id, frame) {

@@ -197,7 +197,6 @@ mod tests {
 
     const NEW: Option<KernelVersion> = Some(KernelVersion { major: 6, minor: 12 });
 
-    /// Asserts one finding with these words.
     #[track_caller]
     fn check(can: &CanInterface, kernel: Option<KernelVersion>, words: &[&str]) {
         let [sentence] = <[String; 1]>::try_from(advice(can, kernel)).unwrap();

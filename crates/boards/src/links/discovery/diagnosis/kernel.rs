@@ -7,7 +7,6 @@ use std::path::Path;
 
 use super::files::{number, text};
 
-/// Major and minor version of a kernel.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(in super::super) struct KernelVersion {
     pub(super) major: u32,

@@ -45,7 +45,6 @@ impl ProcessLimits {
     }
 }
 
-/// Returns the soft limit in the line that begins with `name`.
 fn soft(limits: &str, name: &str) -> Option<ResourceLimit> {
     let line = limits.lines().find_map(|line| line.strip_prefix(name))?;
     let value = line.split_whitespace().next()?;

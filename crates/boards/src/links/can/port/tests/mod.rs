@@ -29,7 +29,6 @@ fn port(mode: CanMode) -> CanPort<Memory> {
     CanPort::new(Memory { room: 1_000, ..Memory::default() }, mode)
 }
 
-/// Samples of a board, filled with its number.
 fn samples(board: u8, len: usize) -> Vec<u8> {
     let mut frame = vec![board + 1; len];
     frame[0] = 3 << 5 | board;
@@ -41,7 +40,6 @@ fn recv(port: &mut CanPort<Memory>) -> Result<Option<Vec<u8>>, RecvError> {
     Ok(port.try_recv(&mut buffer)?.map(|len| buffer[..len].to_vec()))
 }
 
-/// Identifiers and bytes that were written to the bus.
 fn written(port: &CanPort<Memory>) -> Vec<(u16, Vec<u8>)> {
     let arrivals = port.bus.arrivals.borrow();
     let data = |arrival: &BusRead| match arrival {
