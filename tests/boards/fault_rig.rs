@@ -124,6 +124,7 @@ const MORE_PUSH: f64 = 2.0;
 /// Time from the sign of a fault to the end of all forces (s): 100 ms, then 20 ms of fading.
 const SILENCED: f64 = 0.12;
 
+/// Largest force of the motors (N).
 const MAX_FORCE: f64 = 30.0;
 
 struct Felt {

@@ -16,6 +16,7 @@ use crate::calibration::{self, KeyCalibration};
 /// force to fade at 8 kHz. Later skipped ticks move nothing.
 const MAX_CATCH_UP: u64 = 256;
 
+/// Longest period of a tick (s).
 const MAX_PERIOD: f64 = 1.0;
 
 #[derive(Clone, Debug)]
@@ -176,6 +177,7 @@ impl SampleProgress {
         Moment { tick, theta: 0.0 }.seconds(self.period)
     }
 
+    /// Returns the length of a tick (s).
     pub(super) const fn period(&self) -> f64 {
         self.period
     }
@@ -243,7 +245,7 @@ impl SimulatedKey {
     }
 
     /// Sets the force (N, up positive) that holds until the next one, with `slope`. A safe key
-    /// ignores it, see [`Self::is_safe`], as does one that gave no sample yet.
+    /// ignores it, see [`Self::is_safe`], like a key that gave no sample yet.
     ///
     /// # Real-time
     /// One conversion.

@@ -71,6 +71,7 @@ impl<'a> VoiceBuilder<'a> {
         self.scene.keys.iter().enumerate().filter_map(|(key, voice)| Some((key, voice.as_ref()?)))
     }
 
+    /// Returns the slew limit of all forces (N/s).
     pub const fn slew_limit(&self) -> f64 {
         self.scene.render.slew_limit
     }

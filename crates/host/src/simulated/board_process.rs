@@ -162,6 +162,7 @@ impl BoardProcess {
     }
 }
 
+/// Returns the largest force of the motors now (N).
 fn largest_force(board: &SimulatedBoard) -> f64 {
     let forces = (0..board.make().n_keys).filter_map(|slot| board.rig(slot));
     forces.fold(0.0, |most, rig| rig.motor_force().abs().max(most))

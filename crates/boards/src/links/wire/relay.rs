@@ -10,6 +10,7 @@ use crate::links::serial::{Disconnected, NonBlockingFd, PtyPair};
 const CHUNK: usize = 1_024;
 /// Longest sleep of the relay, and so the interval of checks of its stop flag (ns).
 const LONGEST_SLEEP: u64 = 5_000_000;
+/// Shortest sleep of the relay (ns).
 const SHORTEST_SLEEP: u64 = 20_000;
 
 pub(super) fn run(host: &PtyPair, board: &PtyPair, plan: WirePlan, control: &WireControl) {

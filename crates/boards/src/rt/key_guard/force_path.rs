@@ -77,6 +77,7 @@ mod tests {
 
     const H: f64 = 1e-3;
 
+    /// Asserts that `force` is `wanted` (N).
     #[track_caller]
     fn check(force: f64, wanted: f64) {
         assert!((force - wanted).abs() < 1e-9, "{force} N, not {wanted}");
