@@ -68,10 +68,6 @@ impl Model for Rebound {
     fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
         [x[1], -x[0]]
     }
-
-    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
-        0.0
-    }
 }
 
 impl Guarded for Rebound {

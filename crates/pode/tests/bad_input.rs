@@ -4,7 +4,7 @@ use crate::common::no_input;
 use pode::stepper::{Controlled, Dop853, Heun, Rk4};
 use pode::{
     Advance, Bracket, Cap, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, MAX_GUARDS,
-    Model, Nature, Piece, Reset, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
+    Model, Nature, Piece, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -59,11 +59,7 @@ impl Guarded for Careless {
     }
 }
 
-impl Resets for Careless {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> Reset<Self> {
-        Reset::to((), *x)
-    }
-}
+impl Resets for Careless {}
 
 fn start<T: Stepper>(model: Careless, stepper: T) -> Simulator<Careless, T> {
     Simulator::new(model, stepper, Limits::default(), (), [0.0])

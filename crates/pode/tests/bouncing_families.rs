@@ -2,8 +2,6 @@
 //! Flights are parabolas, which RK4 and its dense output follow exactly: what is left is rounding,
 //! of each step's sum and of the time at the speed of the impact.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-
 use pode::{Limits, Piece, Signal, Silent, Watch};
 use proptest::prelude::*;
 

@@ -1,7 +1,5 @@
 //! The choice by need meets its budget, and no other line of its menu is cheaper.
 
-#![expect(clippy::disallowed_macros, reason = "a test names its case")]
-
 use pode::stepper::{ByNeed, Given, Heun, MENU, NeededMethod, Rk4, VelocityVerlet};
 use pode::{Dense as _, EquationKind, Nature, Silent, Stepper};
 

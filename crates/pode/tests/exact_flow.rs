@@ -4,8 +4,6 @@
 //! fall adds the same g h each time). The time of an event inherits the rounding of the height over
 //! the speed there, which is of the same size.
 
-#![expect(clippy::disallowed_macros, reason = "a test names its case")]
-
 use pode::stepper::Exact;
 use pode::{Advance, Silent};
 

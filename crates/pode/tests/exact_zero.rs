@@ -4,10 +4,7 @@
 //! reaches zero within rounding would have terms that count for ever.
 
 use pode::stepper::Exact;
-use pode::{
-    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
-    Resets, Silent, Simulator,
-};
+use pode::{Advance, EquationKind, Guarded, Limits, Model, Nature, Resets, Silent, Simulator};
 
 use crate::common::head::{CONTACTS, Head};
 use crate::common::{close, no_input};
@@ -25,30 +22,14 @@ impl Model for Swing {
         [x[1], -x[0]]
     }
 
-    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
-        0.0
-    }
-
     fn nature(&self, (): ()) -> Nature {
         Nature::new(EquationKind::Affine, 1.0)
     }
 }
 
-impl Guarded for Swing {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        &[]
-    }
+impl Guarded for Swing {}
 
-    fn guard(&self, (): (), _: GuardId, _: &[f64; 2], (): &()) -> GuardValue {
-        GuardValue::new(1.0, 0.0)
-    }
-}
-
-impl Resets for Swing {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        Reset::to((), *x)
-    }
-}
+impl Resets for Swing {}
 
 #[test]
 fn a_step_that_ends_at_zero_ends() {

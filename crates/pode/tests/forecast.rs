@@ -34,10 +34,6 @@ impl Model for Walled {
         [x[1], -G * x[0].sin()]
     }
 
-    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
-        0.0
-    }
-
     fn nature(&self, (): ()) -> Nature {
         Nature::new(EquationKind::Conservative, G.sqrt())
     }
@@ -169,10 +165,6 @@ impl Model for Tossed {
 
     fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
         [x[1], if x[1] == 0.0 { 0.0 } else { -G }]
-    }
-
-    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
-        0.0
     }
 }
 

@@ -4,9 +4,6 @@
 //! belt: the reference joins those pieces where slip speed or friction, both in closed form, reach
 //! their ends. No equation is integrated.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
-
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Motion, Nature, Simulator};

@@ -3,63 +3,17 @@
 //! Error model: the gap is a function of the time, known to rounding; a root is met with the slope
 //! 20 √d and located to 2⁻⁴⁰ of the tick, far below that.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-
 use pode::stepper::Rk4;
-use pode::{
-    Fires, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Reset, Resets, Simulator,
-};
+use pode::{Limits, Motion, Simulator};
 
-use crate::common::{all_completed, close, each_step_and_phase};
+use crate::common::{ON_CROSSING, ONE, Threshold, all_completed, close, each_step_and_phase};
 use crate::driven::run_driven;
 
-/// A body at rest at 0 over a platform that moves: the gap is the platform's distance below.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Platform {
-    fires: Fires,
-}
-
-impl Model for Platform {
-    /// `true` until the platform arrives.
-    type Mode = bool;
-    type State = [f64; 1];
-    type Input = Motion;
-    const COORDS: usize = 1;
-
-    fn derivative(&self, _: bool, _: &[f64; 1], _: &Motion) -> [f64; 1] {
-        [0.0]
-    }
-
-    fn readout(&self, _: bool, _: &[f64; 1], _: &Motion) -> f64 {
-        0.0
-    }
-}
-
-impl Guarded for Platform {
-    fn guards(&self, clear: bool) -> &'static [GuardSpec] {
-        const GAP: [GuardSpec; 1] = [GuardSpec::new(0, "gap")];
-        const FALLS: [GuardSpec; 1] = [GAP[0].on_crossing()];
-        match self.fires {
-            _ if !clear => &[],
-            Fires::WhileNegative => &GAP,
-            Fires::OnCrossing => &FALLS,
-        }
-    }
-
-    fn guard(&self, _: bool, _: GuardId, _: &[f64; 1], platform: &Motion) -> GuardValue {
-        GuardValue::new(-platform.position, -platform.rate)
-    }
-}
-
-impl Resets for Platform {
-    fn reset(&self, _: bool, _: GuardId, x: &[f64; 1], _: &Motion) -> Reset<Self> {
-        Reset::to(false, *x)
-    }
-}
-
 fn closes(at: (f64, f64), until: f64, gap: impl Fn(f64) -> [f64; 2]) -> Option<f64> {
-    let [a, b] = [Fires::WhileNegative, Fires::OnCrossing].map(|fires| {
-        let mut it = Simulator::new(Platform { fires }, Rk4, Limits::default(), true, [0.0]);
+    // A body at rest at 0 over a platform that moves: the gap is the platform's distance below.
+    let [a, b] = [&ONE, &ON_CROSSING].map(|guards| {
+        let platform = Threshold { guards, level: 0.0 };
+        let mut it = Simulator::new(platform, Rk4, Limits::default(), true, [0.0]);
         let (recorder, ticks) = run_driven(&mut it, at, until, |t| {
             let [gap, rate] = gap(t);
             Motion { position: -gap, rate: -rate, ..Motion::default() }

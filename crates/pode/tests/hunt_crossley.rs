@@ -5,8 +5,6 @@
 //! contact takes some 100 of them, and the force's xⁿ at both ends, which no method follows at its
 //! order, some more.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-
 use pode::stepper::{Controlled, Dop853, Tolerance};
 use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
 use proptest::prelude::*;

@@ -4,9 +4,6 @@
 //! step: RK4 keeps a phase to R⁴/120, the dense output takes R⁴/69 of the amplitude at each impact,
 //! and an impact passes an error on, over its speed.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
-
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
@@ -87,10 +84,6 @@ impl Model for Oscillator {
 
     fn derivative(&self, (): (), x: &[f64; 2], t: &Clock) -> [f64; 2] {
         [x[1], self.drive * (self.omega * t.0).cos() - x[0]]
-    }
-
-    fn readout(&self, (): (), _: &[f64; 2], _: &Clock) -> f64 {
-        0.0
     }
 
     fn nature(&self, (): ()) -> Nature {

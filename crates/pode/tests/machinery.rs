@@ -8,8 +8,8 @@ use pode::{
 };
 
 use crate::common::{
-    Ball, BallMode, ONE, STEPS, Timed, all_completed, close, count, count_and_flip,
-    each_step_and_phase, no_input, run,
+    Ball, BallMode, ON_CROSSING, ONE, STEPS, Threshold, Timed, all_completed, close, count,
+    count_and_flip, each_step_and_phase, no_input, run,
 };
 
 #[test]
@@ -95,30 +95,21 @@ fn still(_: f64) -> Motion {
     Motion::default()
 }
 
-#[track_caller]
-fn check_fault(model: Broken, fault: Fault, state: f64) {
-    let mut simulator = start(model);
-    let tick = simulator.advance(1.0, &still, &mut Silent);
-    assert_eq!(tick.advance, Advance::Faulty(fault));
-    close("the state that was kept", simulator.state()[0], state, 1e-15);
-}
-
 #[test]
-fn a_derivative_that_is_not_finite_is_a_fault_of_the_state() {
-    check_fault(Broken { derivative: f64::NAN, ..SOUND }, Fault::State, 0.0);
-    check_fault(Broken { derivative: f64::INFINITY, ..SOUND }, Fault::State, 0.0);
-}
-
-#[test]
-fn a_reset_map_that_is_not_finite_is_a_fault_and_the_state_before_it_is_kept() {
-    check_fault(Broken { reset: f64::NAN, ..SOUND }, Fault::State, 0.5);
-    check_fault(Broken { impulse: f64::NAN, ..SOUND }, Fault::Readout, 0.5);
-}
-
-#[test]
-fn a_readout_that_is_not_finite_is_a_fault() {
-    // The motion itself is sound: 0.5 s up, back to 0, and 0.5 s up, where the guard is due.
-    check_fault(Broken { readout: f64::NAN, ..SOUND }, Fault::Readout, 0.0);
+fn what_is_not_finite_is_a_fault_and_the_state_before_it_is_kept() {
+    for (what, model, fault, state) in [
+        ("derivative", Broken { derivative: f64::NAN, ..SOUND }, Fault::State, 0.0),
+        ("derivative", Broken { derivative: f64::INFINITY, ..SOUND }, Fault::State, 0.0),
+        ("reset map", Broken { reset: f64::NAN, ..SOUND }, Fault::State, 0.5),
+        ("impulse of the reset map", Broken { impulse: f64::NAN, ..SOUND }, Fault::Readout, 0.5),
+        // The motion itself is sound: 0.5 s up, back to 0, and 0.5 s up, where the guard is due.
+        ("readout", Broken { readout: f64::NAN, ..SOUND }, Fault::Readout, 0.0),
+    ] {
+        let mut simulator = start(model);
+        let tick = simulator.advance(1.0, &still, &mut Silent);
+        assert_eq!(tick.advance, Advance::Faulty(fault), "{what}");
+        close(what, simulator.state()[0], state, 1e-15);
+    }
 }
 
 #[test]
@@ -165,34 +156,25 @@ fn flat(t: f64, then: f64) -> GuardValue {
 }
 
 #[test]
-fn a_guard_that_lies_flat_at_zero_fires_where_it_turns_negative() {
-    let check = |h: f64, phase: f64| {
-        let guard = |_: GuardId, t: f64| flat(t, -1.0);
-        let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
-        let (recorder, ticks) = run(&mut timed, h, phase, 0.4);
-        all_completed(&ticks);
-        assert_eq!(recorder.events().len(), 1, "h {h}, phase {phase}: {:?}", recorder.times());
-        // Located to 2⁻⁴⁰ of the tick where the guard has no derivative, and the band.
-        close(format_args!("h {h}"), recorder.events()[0].t, 0.2, 1e-12 * h + 2e-14);
-    };
-    each_step_and_phase(check);
-    for h in [0.03, 0.15, 0.4] {
-        check(h, 0.0);
-    }
-}
-
-#[test]
-fn a_guard_that_lies_flat_at_zero_and_rises_is_silent() {
-    let check = |h: f64, phase: f64| {
-        let guard = |_: GuardId, t: f64| flat(t, 1.0);
-        let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
-        let (recorder, ticks) = run(&mut timed, h, phase, 0.4);
-        all_completed(&ticks);
-        assert_eq!(recorder.times(), [0.0; 0], "h {h}, phase {phase}");
-    };
-    each_step_and_phase(check);
-    for h in [0.03, 0.15, 0.4] {
-        check(h, 0.0);
+fn a_guard_that_lies_flat_at_zero_fires_where_it_turns_negative_and_is_silent_where_it_rises() {
+    const FALLS_ON: fn(GuardId, f64) -> GuardValue = |_, t| flat(t, -1.0);
+    const RISES: fn(GuardId, f64) -> GuardValue = |_, t| flat(t, 1.0);
+    for (guard, expected) in [(FALLS_ON, &[0.2][..]), (RISES, &[])] {
+        let check = |h: f64, phase: f64| {
+            let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
+            let (recorder, ticks) = run(&mut timed, h, phase, 0.4);
+            all_completed(&ticks);
+            let times = recorder.times();
+            assert_eq!(times.len(), expected.len(), "h {h}, phase {phase}: {times:?}");
+            for (t, expected) in times.iter().zip(expected) {
+                // Located to 2⁻⁴⁰ of the tick where the guard has no derivative, and the band.
+                close(format_args!("h {h}"), *t, *expected, 1e-12 * h + 2e-14);
+            }
+        };
+        each_step_and_phase(check);
+        for h in [0.03, 0.15, 0.4] {
+            check(h, 0.0);
+        }
     }
 }
 
@@ -313,10 +295,6 @@ impl Model for Ramp {
     fn derivative(&self, below: bool, _: &[f64; 1], (): &()) -> [f64; 1] {
         [f64::from(below)]
     }
-
-    fn readout(&self, _: bool, _: &[f64; 1], (): &()) -> f64 {
-        0.0
-    }
 }
 
 impl Guarded for Ramp {
@@ -349,44 +327,6 @@ fn a_mode_is_frozen_while_its_end_is_searched() {
     }
 }
 
-/// Only the input moves; guarded by 1 − u, and then by u − 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Threshold {
-    guards: &'static [GuardSpec],
-}
-
-impl Model for Threshold {
-    type Mode = bool;
-    type State = [f64; 1];
-    type Input = Motion;
-    const COORDS: usize = 1;
-
-    fn derivative(&self, _: bool, _: &[f64; 1], _: &Motion) -> [f64; 1] {
-        [0.0]
-    }
-
-    fn readout(&self, _: bool, _: &[f64; 1], _: &Motion) -> f64 {
-        0.0
-    }
-}
-
-impl Guarded for Threshold {
-    fn guards(&self, _: bool) -> &'static [GuardSpec] {
-        self.guards
-    }
-
-    fn guard(&self, below: bool, _: GuardId, _: &[f64; 1], u: &Motion) -> GuardValue {
-        let sign = if below { 1.0 } else { -1.0 };
-        GuardValue::new(sign * (1.0 - u.position), -sign * u.rate)
-    }
-}
-
-impl Resets for Threshold {
-    fn reset(&self, below: bool, _: GuardId, x: &[f64; 1], _: &Motion) -> Reset<Self> {
-        Reset::to(!below, *x)
-    }
-}
-
 #[derive(Debug, Default)]
 struct Thetas(Vec<(u64, f64)>);
 
@@ -398,10 +338,9 @@ impl<M: Model> Watch<M> for Thetas {
 
 #[test]
 fn an_input_that_jumps_across_a_guard_is_an_event_at_the_ticks_start() {
-    const ON_CROSSING: [GuardSpec; 1] = [ONE[0].on_crossing()];
     for guards in [&ONE, &ON_CROSSING] {
         for h in STEPS {
-            let model = Threshold { guards };
+            let model = Threshold { guards, level: 1.0 };
             let mut simulator = Simulator::new(model, Rk4, Limits::default(), true, [0.0]);
             let mut thetas = Thetas::default();
             for sample in [0.0, 0.5, 1.5, 1.6] {
@@ -416,10 +355,9 @@ fn an_input_that_jumps_across_a_guard_is_an_event_at_the_ticks_start() {
 
 #[test]
 fn an_input_that_moves_across_a_guard_is_an_event_within_the_tick() {
-    const ON_CROSSING: [GuardSpec; 1] = [ONE[0].on_crossing()];
     for guards in [&ONE, &ON_CROSSING] {
         for h in STEPS {
-            let model = Threshold { guards };
+            let model = Threshold { guards, level: 1.0 };
             let mut simulator = Simulator::new(model, Rk4, Limits::default(), true, [0.0]);
             let mut thetas = Thetas::default();
             for n in 0..4 {
@@ -436,8 +374,7 @@ fn an_input_that_moves_across_a_guard_is_an_event_within_the_tick() {
 
 #[test]
 fn a_guard_that_fires_on_crossings_is_not_bothered_by_an_entry_below_it() {
-    const ON_CROSSING: [GuardSpec; 1] = [ONE[0].on_crossing()];
-    let model = Threshold { guards: &ON_CROSSING };
+    let model = Threshold { guards: &ON_CROSSING, level: 1.0 };
     let mut simulator = Simulator::new(model, Rk4, Limits::default(), true, [0.0]);
     let mut thetas = Thetas::default();
     for sample in [1.5, 1.6, 0.5, 1.5] {
@@ -450,7 +387,7 @@ fn a_guard_that_fires_on_crossings_is_not_bothered_by_an_entry_below_it() {
 #[test]
 fn an_event_at_the_end_of_a_tick_is_not_undone_by_an_input_that_jumps_by_rounding() {
     for h in STEPS {
-        let model = Threshold { guards: &ONE };
+        let model = Threshold { guards: &ONE, level: 1.0 };
         let mut simulator = Simulator::new(model, Rk4, Limits::default(), true, [0.0]);
         let mut thetas = Thetas::default();
         // Reaches 1 at the very end of tick 0, and starts tick 1 short of it by less than the input

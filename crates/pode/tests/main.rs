@@ -1,4 +1,17 @@
 //! The solver against closed forms, independent programs and its own promises.
+#![expect(unreachable_pub, reason = "modules of one program")]
+#![expect(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a test may use the heap"
+)]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails aloud")]
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of a test are small"
+)]
 
 mod adams_bashforth;
 mod any;

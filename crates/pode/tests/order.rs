@@ -8,10 +8,10 @@ use pode::stepper::{
 };
 use pode::{
     Advance, Dense as _, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
-    Nature, Reset, Resets, Simulator, Stepper, Work,
+    Nature, Resets, Simulator, Stepper, Work,
 };
 
-use crate::common::{ONE, no_input};
+use crate::common::{ON_CROSSING, no_input};
 use crate::known::{
     OSCILLATOR, PENDULUM, Problem, check_order, distance, exact, first_step, global_error,
     largest_inside, step, whole_step,
@@ -102,16 +102,11 @@ impl Model for Driven {
     fn derivative(&self, (): (), x: &[f64; 3], (): &()) -> [f64; 3] {
         [x[1], (OSCILLATOR.acceleration)(x[2], &[x[0], x[1]]), 1.0]
     }
-
-    fn readout(&self, (): (), _: &[f64; 3], (): &()) -> f64 {
-        0.0
-    }
 }
 
 impl Guarded for Driven {
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        const FALLS: [GuardSpec; 1] = [ONE[0].on_crossing()];
-        &FALLS
+        &ON_CROSSING
     }
 
     fn guard(&self, (): (), _: GuardId, x: &[f64; 3], (): &()) -> GuardValue {
@@ -119,11 +114,7 @@ impl Guarded for Driven {
     }
 }
 
-impl Resets for Driven {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 3], (): &()) -> Reset<Self> {
-        Reset::to((), *x)
-    }
-}
+impl Resets for Driven {}
 
 /// Returns when q first falls through `level` (s), by bisection on the closed form.
 fn crossing(level: f64) -> f64 {

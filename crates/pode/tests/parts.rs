@@ -1,12 +1,10 @@
 //! Computations that a mode does not need are skipped: modes without degrees of freedom, slaved
 //! entries, and parts independent of each other.
 
-#![allow(clippy::expect_used, reason = "a test fails aloud")]
-
 use pode::stepper::{Any, Controlled, Dop853, Exact, Rk4};
 use pode::{
-    EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Matrix, Model, Motion, Nature,
-    Part, Reset, Resets, Silent, Simulator, State as _, Stepper, Work,
+    EquationKind, Guarded, Limits, Matrix, Model, Motion, Nature, Part, Resets, Silent, Simulator,
+    State as _, Stepper, Work,
 };
 
 use crate::common::close;
@@ -48,21 +46,9 @@ impl Model for Pair {
     }
 }
 
-impl Guarded for Pair {
-    fn guards(&self, (): ()) -> &[GuardSpec] {
-        &[]
-    }
+impl Guarded for Pair {}
 
-    fn guard(&self, (): (), _: GuardId, _: &[f64; 10], _: &Motion) -> GuardValue {
-        GuardValue::default()
-    }
-}
-
-impl Resets for Pair {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 10], _: &Motion) -> Reset<Self> {
-        Reset::to((), *x)
-    }
-}
+impl Resets for Pair {}
 
 fn after<T: Stepper>(parts: &'static [Part], stepper: T) -> ([f64; 10], Work) {
     let mut start = [0.0; 10];

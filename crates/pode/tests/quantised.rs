@@ -44,10 +44,6 @@ impl Model for Switch {
     fn derivative(&self, _: Mode, _: &[f64; 1], _: &Motion) -> [f64; 1] {
         [0.0]
     }
-
-    fn readout(&self, _: Mode, _: &[f64; 1], _: &Motion) -> f64 {
-        0.0
-    }
 }
 
 impl Guarded for Switch {

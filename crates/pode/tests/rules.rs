@@ -1,8 +1,5 @@
 //! Rules that might surprise a modeller.
 
-#![allow(clippy::expect_used, reason = "a test fails aloud")]
-#![allow(clippy::disallowed_methods, clippy::disallowed_macros, reason = "a test may use the heap")]
-
 use pode::stepper::{Any, ByNeed, Exact, Rk4};
 use pode::{
     Advance, EquationKind, Event, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
@@ -12,6 +9,7 @@ use pode::{
 use pode::Stepper as _;
 
 use crate::common::{G, all_completed, close, run};
+use crate::undeclared::Ball;
 
 #[derive(Clone, Copy, Debug)]
 struct Rocking {
@@ -46,10 +44,6 @@ impl Model for Rocking {
 
     fn derivative(&self, edge: Edge, x: &[f64; 2], (): &()) -> [f64; 2] {
         [x[1], x[0] - edge.sign()]
-    }
-
-    fn readout(&self, _: Edge, _: &[f64; 2], (): &()) -> f64 {
-        0.0
     }
 
     fn nature(&self, _: Edge) -> Nature {
@@ -101,52 +95,16 @@ fn impacts_of_two_guards_that_come_to_rest_in_one_mode_settle() {
     }
 }
 
-/// A ball whose reset map multiplies its speed by `factor`: positive is a sign error.
-#[derive(Clone, Copy, Debug)]
-struct Dropped {
-    factor: f64,
-}
-
-impl Model for Dropped {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], -G]
-    }
-
-    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
-        0.0
-    }
-}
-
-impl Guarded for Dropped {
-    fn guards(&self, (): ()) -> &[GuardSpec] {
-        const { &[GuardSpec::new(0, "floor")] }
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
-        GuardValue::new(x[0], x[1])
-    }
-}
-
-impl Resets for Dropped {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        Reset::to((), [0.0, self.factor * x[1]])
-    }
-}
-
 #[test]
 fn a_reset_that_leaves_its_guard_falling_is_counted() {
-    for (factor, ineffective) in [(-0.8, 0), (0.8, 1)] {
-        let ball = Dropped { factor };
+    // A negative restitution is a sign error.
+    for (restitution, ineffective) in [(0.8, 0), (-0.8, 1)] {
+        let ball = Ball { restitution, puts: true };
         let mut ball = Simulator::new(ball, Rk4, Limits::default(), (), [1.0, 0.0]);
         let (_, ticks) = run(&mut ball, 1e-3, 0.0, 0.6);
         all_completed(&ticks);
         let work = ticks.iter().fold(Work::default(), |sum, tick| sum.plus(tick.work));
-        assert_eq!((work.events, work.ineffective), (1, ineffective), "factor {factor}");
+        assert_eq!((work.events, work.ineffective), (1, ineffective), "e {restitution}");
     }
 }
 
@@ -169,10 +127,6 @@ impl Model for OnFloor {
 
     fn derivative(&self, _: bool, x: &[f64; 2], _: &Motion) -> [f64; 2] {
         [x[1], -G]
-    }
-
-    fn readout(&self, _: bool, _: &[f64; 2], _: &Motion) -> f64 {
-        0.0
     }
 
     fn nature(&self, _: bool) -> Nature {

@@ -1,17 +1,14 @@
 //! Case C6: several roots within a step.
 
-use pode::{GuardId, GuardSpec, GuardValue, RunRecorder};
+use pode::{GuardId, GuardValue, RunRecorder};
 
-use crate::common::{ONE, Timed, close, count, no_input};
-
-/// Fires on each fall; a rise resets it silently.
-const FALLS: [GuardSpec; 1] = [ONE[0].on_crossing()];
+use crate::common::{ON_CROSSING, Timed, close, count, no_input};
 
 #[track_caller]
 fn check(guard: fn(GuardId, f64) -> GuardValue, effect: Effect, expected: &[f64]) {
     for n in [1_u32, 3, 10, 1000] {
         let h = 1.0 / f64::from(n);
-        let mut timed = Timed { guards: &FALLS, guard, effect }.start();
+        let mut timed = Timed { guards: &ON_CROSSING, guard, effect }.start();
         let mut recorder = RunRecorder::new(h);
         for _ in 0..n {
             let _ = timed.advance(h, &no_input, &mut recorder);

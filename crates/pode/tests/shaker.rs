@@ -4,9 +4,6 @@
 //! gap, speed and acceleration all zero: the gap opens like t³. Flight is a parabola, which RK4
 //! follows exactly, so that all times are known to rounding.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
-
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Reset, Resets,

@@ -3,9 +3,11 @@
 use pode::{GuardId, GuardSpec, GuardValue, RunRecorder};
 
 use crate::common::{
-    ONE, STEPS, Timed, all_completed, close, count, count_and_flip, each_step_and_phase, no_input,
-    run,
+    ON_CROSSING, ONE, STEPS, Timed, all_completed, close, count, count_and_flip,
+    each_step_and_phase, no_input, run,
 };
+
+const TWICE: [GuardSpec; 2] = [GuardSpec::new(0, "a"), GuardSpec::new(1, "b")];
 
 fn falls_at_0_3(_: GuardId, t: f64) -> GuardValue {
     GuardValue::new(0.3 - t, -1.0)
@@ -13,7 +15,6 @@ fn falls_at_0_3(_: GuardId, t: f64) -> GuardValue {
 
 #[test]
 fn identical_guards_have_one_effect_each() {
-    const TWICE: [GuardSpec; 2] = [GuardSpec::new(0, "a"), GuardSpec::new(1, "b")];
     const ON_CROSSING: [GuardSpec; 2] = [TWICE[0].on_crossing(), TWICE[1].on_crossing()];
     for guards in [&TWICE, &ON_CROSSING] {
         each_step_and_phase(|h, phase| {
@@ -28,7 +29,6 @@ fn identical_guards_have_one_effect_each() {
 
 #[test]
 fn an_effect_that_cures_the_other_guard_is_the_only_one() {
-    const TWICE: [GuardSpec; 2] = [GuardSpec::new(0, "a"), GuardSpec::new(1, "b")];
     each_step_and_phase(|h, phase| {
         let timed = Timed { guards: &TWICE, guard: falls_at_0_3, effect: count_and_flip };
         let (recorder, _) = run(&mut timed.start(), h, phase, 0.5);
@@ -73,7 +73,6 @@ fn resets_that_do_not_commute_go_by_priority() {
 
 #[test]
 fn an_event_on_a_tick_boundary_happens_once() {
-    const ON_CROSSING: [GuardSpec; 1] = [ONE[0].on_crossing()];
     for guards in [&ONE, &ON_CROSSING] {
         let falls = |_: GuardId, t: f64| GuardValue::new(0.5 - t, -1.0);
         let mut timed = Timed { guards, guard: falls, effect: count }.start();

@@ -3,9 +3,6 @@
 //! The rates are lines in the time, so x is a parabola on each side: the reference solves
 //! successive quadratics, without any step.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
-
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Simulator};

@@ -1,26 +1,19 @@
 //! Taylor's method: its order, its tolerance, its events (case C3), and models without a series.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
-
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::stepper::{Memory as _, Taylor, TaylorMemory, Tolerance};
 use pode::{
-    Dense as _, Field, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
-    Resets, RunRecorder, Settling, Silent, Simulator, Stepper as _,
+    Dense as _, Field, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Resets,
+    RunRecorder, Silent, Simulator, Stepper as _,
 };
 
-const SQUARE: f64 = 9.81;
+use crate::common::G;
+use crate::pendulum::{IMPACTS, Pendulum};
 
-#[derive(Clone, Copy, Debug)]
-struct Pendulum {
-    has_series: bool,
-}
-
-const EXPANDED: Pendulum = Pendulum { has_series: true };
+const EXPANDED: Pendulum = Pendulum { has_wall: true, has_series: true };
 
 /// Expands θ'' = −9.81 sin θ by hand: sine and cosine drive each other. The guard is the angle.
-fn expand(out: &mut Expansion<[f64; 2]>) {
+pub fn expand(out: &mut Expansion<[f64; 2]>) {
     let (sine, cosine) = out.terms[0][0].sin_cos();
     let (mut sines, mut cosines) = (vec![sine], vec![cosine]);
     for k in 0..out.order {
@@ -35,62 +28,13 @@ fn expand(out: &mut Expansion<[f64; 2]>) {
             cosines.push(cosine);
         }
         let by = out.scale / (k + 1) as f64;
-        out.terms[k + 1] = [by * out.terms[k][1], -by * SQUARE * sines[k]];
+        out.terms[k + 1] = [by * out.terms[k][1], -by * G * sines[k]];
     }
     for k in 0..=out.order {
         out.guards[0][k] = out.terms[k][0];
     }
     out.known_guards = 1;
 }
-
-impl Model for Pendulum {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], -SQUARE * x[0].sin()]
-    }
-}
-
-impl Guarded for Pendulum {
-    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 2]>) -> bool {
-        if self.has_series {
-            expand(out);
-        }
-        self.has_series
-    }
-
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        const { &[GuardSpec::new(0, "wall")] }
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
-        GuardValue::new(x[0], x[1])
-    }
-}
-
-impl Resets for Pendulum {
-    /// Declares its impacts to end where they never do: nothing pulls it against the wall.
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        Reset::to((), [0.0, -0.9 * x[1]]).settling(Settling {
-            after: f64::INFINITY,
-            ratio: 0.9,
-            mode: (),
-            state: [0.0; 2],
-            impulse: 0.0,
-        })
-    }
-}
-
-/// Times of impacts 1, 2, 5 and 10 (s), from 40-digit arithmetic.
-const IMPACTS: [(usize, f64); 4] = [
-    (1, 0.550_770_646_903_126),
-    (2, 1.630_077_719_645_963_8),
-    (5, 4.783_311_598_904_508),
-    (10, 9.898_785_767_259_402),
-];
 
 /// Returns the largest error of an impact's time (s) in 10 s, in ticks of `h` (s), and the work.
 #[expect(clippy::large_stack_frames, reason = "a simulator on the stack of a test")]
@@ -130,7 +74,7 @@ fn ticks_do_not_matter_to_it() {
 
 #[test]
 fn a_model_without_a_series_is_stepped_within_the_tolerance_too() {
-    let (error, work) = impacts(Pendulum { has_series: false }, 1e-10, 10.0);
+    let (error, work) = impacts(Pendulum { has_series: false, ..EXPANDED }, 1e-10, 10.0);
     assert!(error < 1e-8, "{error:e}");
     assert!(work.pieces > 200, "steps of order 5: {}", work.pieces);
 }
@@ -147,7 +91,7 @@ impl Field<[f64; 2]> for Swing {
     }
 
     fn derivative(&mut self, _: f64, x: &[f64; 2]) -> [f64; 2] {
-        [x[1], -SQUARE * x[0].sin()]
+        [x[1], -G * x[0].sin()]
     }
 
     fn expand(&mut self, out: &mut Expansion<[f64; 2]>) -> bool {
@@ -188,9 +132,9 @@ fn the_dense_output_solves_the_equation_inside_the_step() {
 
 #[test]
 fn a_pendulum_keeps_its_energy_for_a_thousand_swings() {
-    let energy = |x: &[f64; 2]| 0.5 * x[1] * x[1] - SQUARE * x[0].cos();
+    let energy = |x: &[f64; 2]| 0.5 * x[1] * x[1] - G * x[0].cos();
     let limits = Limits { pieces: u32::MAX, guards: u32::MAX, ..Limits::default() };
-    let free = Free(Pendulum { has_series: true });
+    let free = Pendulum { has_wall: false, has_series: true };
     let method = Taylor::to(Tolerance::both(1e-15));
     let mut pendulum = Simulator::new(free, method, limits, (), [1.2, 0.0]);
     let before = energy(pendulum.state());
@@ -198,29 +142,6 @@ fn a_pendulum_keeps_its_energy_for_a_thousand_swings() {
     let drift = (energy(pendulum.state()) - before).abs();
     assert!(drift < 1e-12, "{drift:e}");
 }
-
-#[derive(Clone, Copy, Debug)]
-struct Free(Pendulum);
-
-impl Model for Free {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        self.0.derivative((), x, &())
-    }
-}
-
-impl Guarded for Free {
-    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 2]>) -> bool {
-        expand(out);
-        true
-    }
-}
-
-impl Resets for Free {}
 
 /// A gap that is a parabola in time: it dips to −depth at 0.123456789 s.
 #[derive(Clone, Copy, Debug)]

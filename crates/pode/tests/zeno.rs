@@ -2,15 +2,13 @@
 //! accumulate, and settles them into the contact mode. References are the same impacts followed one
 //! by one in closed form, to rounding.
 
-#![expect(clippy::disallowed_macros, reason = "a test names its case")]
-
 use pode::stepper::{Exact, Rk4};
 use pode::{
     EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
     Simulator,
 };
 
-use crate::common::{G, all_completed, close, each_step_and_phase, run};
+use crate::common::{BallMode as Mode, G, all_completed, close, each_step_and_phase, run};
 
 /// A ball over a floor whose restitution falls with the speed of the impact: e0 / (1 + v/v0). Its
 /// ratio of intervals is constant only in the limit.
@@ -19,12 +17,6 @@ struct Soft {
     e0: f64,
     /// Speed (m/s) at which restitution is half of e0; infinite for a constant one.
     v0: f64,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Mode {
-    Flight,
-    Rest,
 }
 
 impl Soft {
@@ -153,10 +145,6 @@ impl Model for Springy {
             Mode::Flight => [x[1], -x[0]],
             Mode::Rest => [0.0, 0.0],
         }
-    }
-
-    fn readout(&self, _: Mode, _: &[f64; 2], (): &()) -> f64 {
-        0.0
     }
 
     fn nature(&self, mode: Mode) -> Nature {

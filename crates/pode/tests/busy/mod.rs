@@ -37,10 +37,6 @@ impl Model for Busy {
         [1.0, 0.0, 0.0]
     }
 
-    fn readout(&self, _: bool, _: &[f64; 3], (): &()) -> f64 {
-        0.0
-    }
-
     fn jacobian(&self, _: bool, _: &[f64; 3], (): &()) -> <[f64; 3] as State>::Matrix {
         pode::Matrix::from_columns(|_| [0.0; 3])
     }
@@ -88,24 +84,8 @@ impl Model for Stirred {
         let scattered = theta.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
         [1e100 * (scattered as f64 - 8e6)]
     }
-
-    fn readout(&self, (): (), _: &[f64; 1], _: &f64) -> f64 {
-        0.0
-    }
 }
 
-impl Guarded for Stirred {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        &[]
-    }
+impl Guarded for Stirred {}
 
-    fn guard(&self, (): (), _: GuardId, _: &[f64; 1], _: &f64) -> GuardValue {
-        GuardValue::default()
-    }
-}
-
-impl Resets for Stirred {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 1], _: &f64) -> Reset<Self> {
-        Reset::to((), *x)
-    }
-}
+impl Resets for Stirred {}

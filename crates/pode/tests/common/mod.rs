@@ -1,14 +1,12 @@
 //! Small models with known solutions, and helpers of the event tests.
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
-#![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
 
 pub mod head;
 pub mod stick_slip;
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
-    Resets, RunRecorder, Settling, Simulator, Stepper, Tick,
+    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Nature,
+    Reset, Resets, RunRecorder, Settling, Simulator, Stepper, Tick,
 };
 
 pub const G: f64 = 9.81;
@@ -179,10 +177,6 @@ impl Model for Timed {
     fn derivative(&self, _: bool, _: &[f64; 3], (): &()) -> [f64; 3] {
         [1.0, 0.0, 0.0]
     }
-
-    fn readout(&self, _: bool, _: &[f64; 3], (): &()) -> f64 {
-        0.0
-    }
 }
 
 impl Guarded for Timed {
@@ -216,3 +210,41 @@ pub fn count_and_flip(_: GuardId, x: &mut [f64; 3]) -> bool {
 }
 
 pub const ONE: [GuardSpec; 1] = [GuardSpec::new(0, "g")];
+
+/// The same guard, fired by each fall; a rise resets it silently.
+pub const ON_CROSSING: [GuardSpec; 1] = [ONE[0].on_crossing()];
+
+/// Only the input moves; guarded by level − u, and then by u − level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Threshold {
+    pub guards: &'static [GuardSpec],
+    pub level: f64,
+}
+
+impl Model for Threshold {
+    type Mode = bool;
+    type State = [f64; 1];
+    type Input = Motion;
+    const COORDS: usize = 1;
+
+    fn derivative(&self, _: bool, _: &[f64; 1], _: &Motion) -> [f64; 1] {
+        [0.0]
+    }
+}
+
+impl Guarded for Threshold {
+    fn guards(&self, _: bool) -> &'static [GuardSpec] {
+        self.guards
+    }
+
+    fn guard(&self, below: bool, _: GuardId, _: &[f64; 1], u: &Motion) -> GuardValue {
+        let sign = if below { 1.0 } else { -1.0 };
+        GuardValue::new(sign * (self.level - u.position), -sign * u.rate)
+    }
+}
+
+impl Resets for Threshold {
+    fn reset(&self, below: bool, _: GuardId, x: &[f64; 1], _: &Motion) -> Reset<Self> {
+        Reset::to(!below, *x)
+    }
+}

@@ -1,6 +1,4 @@
 //! Models driven by time or by a known motion, run like those without an input.
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
-#![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
 
 use pode::filippov::Continued;
 use pode::{Resets, Simulator, Stepper, Tick};

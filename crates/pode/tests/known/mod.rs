@@ -3,7 +3,6 @@
 //! Orders are observed between a step and half of it, where the next term of the error is about a
 //! tenth of the first: ± 0.2. The driven oscillator is linear, and flatters methods that know its
 //! Jacobian; the driven pendulum is not.
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
 use pode::stepper::Given;
 use pode::{Dense, EquationKind, Nature, Step, Stepper};

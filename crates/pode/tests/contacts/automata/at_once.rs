@@ -1,15 +1,16 @@
 //! Changes at one instant, and contacts that hold the same motion.
 
 use pode::contacts::{
-    ContactIndices, ContactSpec, ContactState, ContactSystem, FrictionLimits, FrictionSpec,
-    FrictionalContacts, GuardedContacts, WithContacts,
+    ContactIndices, ContactSpec, ContactState, ContactSystem, FrictionSpec, FrictionalContacts,
+    GuardedContacts, WithContacts,
 };
-use pode::filippov::Surface;
 use pode::stepper::Rk4;
 use pode::{Advance, Cap, GuardValue, Limits, Motion, Simulator};
 
 use crate::common::{G, all_completed, close, run};
 use crate::driven::{root, run_driven};
+
+use super::belt::{Block, block};
 
 /// A mass of 1 kg over equal springs that all touch at height 0.
 #[derive(Debug)]
@@ -74,55 +75,14 @@ fn a_cascade_that_is_too_short_is_told() {
     assert!(ticks.iter().any(|tick| tick.advance == Advance::Capped(Cap::Cascade)));
 }
 
-#[derive(Debug)]
-struct Shared {
-    contacts: Vec<ContactSpec>,
-    /// Total sliding friction (N); 1.5 times that can hold.
-    kinetic: f64,
-}
-
-impl ContactSystem for Shared {
-    type Structure = ();
-    type State = [f64; 2];
-    type Input = Motion;
-    const COORDS: usize = 1;
-
-    fn contacts(&self) -> &[ContactSpec] {
-        &self.contacts
-    }
-
-    fn gap(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> GuardValue {
-        unreachable!("no contact opens")
-    }
-
-    fn derivative(&self, (): (), _: ContactIndices, x: &[f64; 2], _: &Motion) -> [f64; 2] {
-        [x[1], -100.0 * x[0]]
-    }
-}
-
-impl FrictionalContacts for Shared {
-    fn slip(&self, (): (), _: usize, x: &[f64; 2], belt: &Motion) -> Surface<[f64; 2]> {
-        Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift: -belt.acceleration }
-    }
-
-    fn response(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> [f64; 2] {
-        [0.0, 1.0]
-    }
-
-    fn friction(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> FrictionLimits {
-        let kinetic = self.kinetic / self.contacts.len() as f64;
-        FrictionLimits { stiction: 1.5 * kinetic, kinetic }
-    }
-}
-
-impl GuardedContacts for Shared {}
-
-fn shared(n: usize, belt: Motion) -> Simulator<WithContacts<Shared>, Rk4> {
+/// Returns `n` contacts of 1 N together on 1 kg and 100 N/m; 1.5 times that can hold.
+fn shared(n: usize, belt: Motion) -> Simulator<WithContacts<Block>, Rk4> {
     let contacts = NAMES[..n]
         .iter()
         .map(|name| ContactSpec::bearing(name, FrictionSpec::new(name, 1.0, 0.1)))
         .collect();
-    let model = WithContacts::new(Shared { contacts, kinetic: 1.0 }).unwrap();
+    let block = Block { mass: 1.0, k: 100.0, stiction: 1.5, kinetic: 1.0, stop: 1e3, ..block() };
+    let model = WithContacts::new(Block { contacts, ..block }).unwrap();
     let (mode, x) = model.start((), &[0.0, belt.rate], &belt);
     Simulator::new(model, Rk4, Limits::default(), mode, x)
 }

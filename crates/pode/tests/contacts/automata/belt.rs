@@ -19,17 +19,18 @@ use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::{root, run_driven};
 
 /// A mass on a spring: place (m) and speed (m/s) over a fixed ground.
-#[derive(Clone, Copy, Debug)]
-struct Block {
-    contacts: [ContactSpec; 1],
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// They hold and slip together, each with its share of the friction.
+    pub contacts: Vec<ContactSpec>,
     /// Mass (kg) and stiffness (N/m).
-    mass: f64,
-    k: f64,
-    stiction: f64,
-    kinetic: f64,
+    pub mass: f64,
+    pub k: f64,
+    pub stiction: f64,
+    pub kinetic: f64,
     /// Place of the stop (m), and its restitution.
-    stop: f64,
-    restitution: f64,
+    pub stop: f64,
+    pub restitution: f64,
 }
 
 const STOP: [GuardSpec; 1] = [GuardSpec::new(0, "stop").scaled(0.1)];
@@ -84,7 +85,9 @@ impl FrictionalContacts for Block {
     }
 
     fn friction(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> FrictionLimits {
-        FrictionLimits { stiction: self.stiction, kinetic: self.kinetic }
+        let [stiction, kinetic] =
+            [self.stiction, self.kinetic].map(|force| force / self.contacts.len() as f64);
+        FrictionLimits { stiction, kinetic }
     }
 }
 
@@ -203,10 +206,10 @@ fn check(it: Block, expected: &[Ends], (h, phase): (f64, f64)) {
     }
 }
 
-fn block() -> Block {
+pub fn block() -> Block {
     let friction = FrictionSpec::new("belt", 1.0, 0.1);
     Block {
-        contacts: [ContactSpec::bearing("belt", friction)],
+        contacts: vec![ContactSpec::bearing("belt", friction)],
         mass: 0.5,
         k: 80.0,
         stiction: 2.0,

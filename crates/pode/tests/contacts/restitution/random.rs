@@ -1,7 +1,5 @@
 //! Contacts of random bodies under both laws.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-
 use pode::contacts::restitution::{ContactJacobian, Contacts, ImpactEnding, Resolved};
 use proptest::prelude::*;
 

@@ -3,8 +3,6 @@
 //! Centre (x, y), angle φ, their rates, and two sums of energy: absorbed by contacts and friction,
 //! and supplied by the drive.
 
-#![allow(clippy::disallowed_types, reason = "a test may use the heap")]
-
 use std::cell::Cell;
 
 use pode::contacts::{
