@@ -2,7 +2,6 @@
 //!
 //! The crates test their own readers; here files pass through the whole host, from the disk to a
 //! session that is ready to run.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
 use std::path::PathBuf;

@@ -1,5 +1,4 @@
 //! No crate depends on a higher one, and some on nearly none: read from the manifests.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,5 +1,4 @@
 //! Boards with faulty clocks, sensors or firmware, on the host's own path to them, in virtual time.
-#![allow(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::cell::Cell;
 

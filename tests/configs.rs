@@ -1,5 +1,4 @@
 //! Every file in configs/ is valid, and embedded in the program.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,5 +1,5 @@
 //! Promises of no single crate.
-#![allow(clippy::expect_used, reason = "helpers of tests fail aloud")]
+#![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests fail aloud")]
 
 mod any_bytes;
 mod architecture;

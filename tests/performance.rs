@@ -1,5 +1,4 @@
 //! The output equals the virtual pianist's piece, in whole runs in virtual time.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::BTreeSet;
 use std::fs;

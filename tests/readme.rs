@@ -1,6 +1,5 @@
 //! Every README and manual of the project: its commands run and print the shown output, its links
 //! and paths lead to files, and its lines have one sentence each.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

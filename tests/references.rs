@@ -1,5 +1,4 @@
 //! Every source that a comment cites by its key is in REFERENCES.md.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

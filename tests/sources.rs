@@ -1,5 +1,4 @@
 //! The project's Rust sources, parsed for the tests of rooms, words and comments.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,5 @@
 //! Descriptions edited while the host plays them: `letoff run --watch`, and its recording replayed
 //! without the files.
-#![expect(clippy::panic, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
 use std::io::{BufRead as _, BufReader, Write as _};

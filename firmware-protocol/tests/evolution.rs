@@ -1,5 +1,4 @@
-//! Changes that a version may make without harm, and those that it may not.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+//! What a version may add without harm, and what it may not change.
 
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;

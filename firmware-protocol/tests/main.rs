@@ -1,6 +1,8 @@
 //! The wire format against golden bytes, C, and other versions of itself.
-#![allow(
+#![expect(
     clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
     clippy::expect_used,
     clippy::panic,
     reason = "tests run on the host, and their helpers fail aloud"

@@ -1,6 +1,5 @@
 //! User errors and the answer of the `letoff` command itself: exit code 2 for wrong usage or a
 //! wrong file, 1 for a failure of the run; one sentence on stderr for each mistake; never a panic.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod lab;
 mod limits;

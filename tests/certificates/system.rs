@@ -127,10 +127,6 @@ impl Model for OscillatorSystem {
         derivative
     }
 
-    fn readout(&self, (): (), _x: &OscillatorState, _s: &Motion) -> f64 {
-        0.0
-    }
-
     fn nature(&self, (): ()) -> Nature {
         let is_driven = self.oscillators.iter().any(|it| it.drive != 0.0);
         let kind = match (self.is_pendulum, is_driven) {

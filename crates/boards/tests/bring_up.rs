@@ -1,6 +1,4 @@
 //! Bring-up of a keybed from links to arming, with its refusals.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
-#![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
 use std::time::Duration;
 

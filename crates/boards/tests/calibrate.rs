@@ -1,6 +1,4 @@
 //! Simulated boards on a bench: the measurements match their construction.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
-#![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
 use boards::calibrate::range::MOST_FORCE;
 use boards::calibrate::{

@@ -1,5 +1,4 @@
 //! The simulated keybed under a toy law: its promises to every player.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::ops::Range;
 

@@ -1,5 +1,4 @@
 //! Observed load of a line, compared with the plan.
-#![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
 use std::time::Duration;
 

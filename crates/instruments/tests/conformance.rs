@@ -1,13 +1,5 @@
 //! Requirements on every model.
 
-#![expect(
-    clippy::disallowed_methods,
-    clippy::disallowed_macros,
-    clippy::expect_used,
-    clippy::needless_pass_by_value,
-    reason = "a test has the heap, fails aloud, and is handed its models"
-)]
-
 use instruments::{Described, ModeCode, ModeName, ModelEntry, Parameter, Playable};
 use pode::stepper::{Given, Rk4, Stepper as _};
 use pode::{Dense as _, EquationKind, GuardId, MAX_GUARDS, Matrix as _, Motion, Nature, State};

@@ -1,12 +1,5 @@
 //! Drawings of the models: complete, named, and always in view.
 
-#![expect(
-    clippy::disallowed_macros,
-    clippy::expect_used,
-    clippy::needless_pass_by_value,
-    reason = "helpers of tests, outside #[test]: on the heap, fail aloud, and are handed models"
-)]
-
 use instruments::{ModelEntry, Playable, Preset, Visitor};
 
 use crate::sketch::play::{Moment, film};

@@ -1,5 +1,4 @@
-//! Drawings of the models: to scale, and in contact where the equations are.
-#![expect(clippy::expect_used, reason = "checks for tests, which fail aloud")]
+//! What the models draw is to scale, and in contact where they say so.
 
 use instruments::SmallModel;
 use instruments::draw::Material;

@@ -1,7 +1,5 @@
 //! The pieces in `configs/performances`: as written, as encoded, and as playable.
 
-#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
-
 use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};

@@ -1,7 +1,5 @@
 //! Strokes rehearsed on a key with closed-form responses.
 
-#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
-
 use haptics::plant::{Gesture, Touch};
 use midi::{Velocity, VelocityCurve};
 use pianist::{

@@ -1,7 +1,5 @@
 //! MIDI files as scores: times, overlaps and invalid files.
 
-#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
-
 use midi::{Pedal, PedalMove};
 use midly::num::{u4, u7, u15, u24, u28};
 use midly::{

@@ -1,8 +1,6 @@
 //! A piece rehearsed on an independent key with mass, a springy finger and a let-off: a few lines
 //! of mechanics that answer late, swing and rebound.
 
-#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
-
 use std::fs;
 use std::path::PathBuf;
 

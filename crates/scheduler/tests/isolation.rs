@@ -1,5 +1,4 @@
 //! A failing voice leaves the others unchanged, to the last bit.
-#![expect(clippy::large_stack_frames, reason = "a scheduler on the stack of a test")]
 
 use scheduler::motion::KEYS;
 use scheduler::slot::Slot;

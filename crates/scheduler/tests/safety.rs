@@ -1,5 +1,4 @@
 //! Force on key 40 through the whole tick when its voice or its samples fail.
-#![expect(clippy::large_stack_frames, reason = "a scheduler on the stack of a test")]
 
 use scheduler::safety::FADE;
 use scheduler::slot::Slot;

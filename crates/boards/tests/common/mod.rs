@@ -1,8 +1,4 @@
 //! Simulated boards in real time, on sockets of this process.
-#![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
-#![allow(clippy::expect_used, clippy::missing_panics_doc, reason = "helpers of tests")]
-#![allow(clippy::disallowed_methods, reason = "boards live in real time")]
-#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "short tests")]
 #![allow(clippy::unnecessary_wraps, reason = "what the keybed calls")]
 
 use std::os::unix::net::UnixDatagram;

@@ -3,8 +3,6 @@
 //! Without one the tests are skipped with a note. As root, in a guest or not:
 //! `ip link add vcan0 type vcan && ip link set vcan0 up`. Some parts take it down and up again.
 #![cfg(target_os = "linux")]
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
-#![expect(clippy::disallowed_methods, reason = "boards that run on a clock of their own")]
 
 use std::io::Write as _;
 use std::process::Command;

@@ -2,8 +2,6 @@
 //!
 //! Counts are asserted; times depend on the machine and are only printed.
 #![cfg(unix)]
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
-#![expect(clippy::disallowed_methods, reason = "boards that run on a clock of their own")]
 
 use std::io::Write as _;
 use std::path::Path;

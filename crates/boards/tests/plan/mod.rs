@@ -8,7 +8,6 @@ mod serial;
 mod shares;
 
 fn hertz(rate: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some kilohertz")]
     let whole = rate.round() as u32;
     whole
 }

@@ -1,9 +1,4 @@
 //! A model from a table.
-#![expect(
-    clippy::unwrap_used,
-    clippy::float_cmp,
-    reason = "a test fails aloud, and bits are what is compared"
-)]
 
 use instruments::equations::{DoesNotFit, EquationModel, ModeNumber};
 use pode::stepper::Rk4;

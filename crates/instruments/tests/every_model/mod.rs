@@ -1,5 +1,4 @@
-//! Runs one check with each of the paper's models and their neighbours.
-#![expect(clippy::panic, reason = "a test's own module, which fails aloud")]
+//! Does one check with each of the paper's models and their neighbours.
 
 use std::path::Path;
 use std::sync::Arc;

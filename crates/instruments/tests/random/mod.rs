@@ -1,5 +1,4 @@
-//! Reproducible random numbers.
-#![expect(unreachable_pub, reason = "a test's own module")]
+//! Numbers that look random and are the same in every run.
 
 /// SplitMix64.
 #[derive(Debug)]

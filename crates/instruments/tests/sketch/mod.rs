@@ -1,12 +1,4 @@
-//! Records a model's drawing, and places it at a moment's signals.
-#![allow(
-    dead_code,
-    unreachable_pub,
-    clippy::disallowed_methods,
-    clippy::disallowed_macros,
-    clippy::expect_used,
-    reason = "helpers of tests, outside #[test]: on the heap, and fail aloud; each test file uses its part"
-)]
+//! Records what a model draws, and puts it where a moment's signals say.
 
 pub mod play;
 

@@ -1,10 +1,4 @@
 //! Exact inputs, runs of a model under them, and models with other values.
-#![allow(
-    unreachable_pub,
-    clippy::disallowed_methods,
-    clippy::expect_used,
-    reason = "a test's own module, on the heap"
-)]
 
 #[path = "../../../mechanism/tests/kane/stroke.rs"]
 mod audited_run;

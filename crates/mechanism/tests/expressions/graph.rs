@@ -1,5 +1,3 @@
-#![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
-
 use mechanism::expressions::graph::{Graph, Node, Place, Substitution, UnaryFunction};
 use mechanism::expressions::tape::Tape;
 use proptest::prelude::*;

@@ -1,5 +1,4 @@
 //! Tapes against evaluation by recursion.
-#![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
 
 use mechanism::expressions::graph::{Graph, Node, Place};
 use mechanism::expressions::tape::{

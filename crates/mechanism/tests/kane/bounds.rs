@@ -2,11 +2,6 @@
 //!
 //! Steps are random cubics from random states: their properties hold for the dense output of any
 //! method.
-#![expect(
-    clippy::unwrap_used,
-    clippy::large_stack_frames,
-    reason = "a test fails aloud, and bits are what is compared"
-)]
 
 use instruments::equations::ModeNumber;
 use mechanism::kane::graph::{BinaryFunction, Graph, Node, UnaryFunction};

@@ -1,9 +1,3 @@
-#![expect(
-    clippy::float_cmp,
-    clippy::large_stack_frames,
-    reason = "rest is exact, and models are values"
-)]
-
 use pode::{Model as _, Motion};
 
 use crate::kane::runnable::{BALL, CART, WALL, guard, mode};

@@ -5,8 +5,6 @@
 //! A five-point difference at 1e-3 of functions of scale 1 is off by 1e-13 (truncation h⁴/30) plus
 //! 1e-13 (rounding ε/h), times at most the spread of the energies by mass matrices, 1e3 here.
 
-#![expect(clippy::float_cmp, reason = "what is copied or declared zero is so to the bit")]
-
 use pode::{Energetic as _, Guarded as _, Model as _, Motion, Resets as _};
 
 use crate::kane::evaluation::Numbers;

@@ -1,6 +1,4 @@
 //! Mechanisms and their programs against closed forms, models by hand, and other programs.
-#![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
-#![expect(clippy::large_stack_frames, reason = "a test has a thread of its own")]
 
 mod assembled;
 mod beside_by_hand;

@@ -1,5 +1,4 @@
 //! The `playable` presets of models A and B feel like a key, over the whole compass.
-#![expect(clippy::large_stack_frames, reason = "models are values, and a test has the stack")]
 
 use pode::input::{Reconstruction, Reconstructor};
 use pode::stepper::Rk4;
@@ -137,7 +136,6 @@ fn pressing_past_the_bottom_neither_caps_nor_rattles() {
 }
 
 #[test]
-#[expect(clippy::float_cmp, reason = "what is kept is kept to the bit")]
 fn a_hammer_pushed_through_the_string_is_not_put_back() {
     // Model A's contact is rigid: 1.5 mm past the bottom the head is past the string. A key that
     // drops faster than the hammer can fall leaves it there.

@@ -1,5 +1,3 @@
-#![expect(clippy::unwrap_used, reason = "a test fails aloud")]
-
 use mechanism::kane::derive_model;
 use mechanism::kane::description::read;
 use pode::stepper::Rk4;

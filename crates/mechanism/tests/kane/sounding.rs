@@ -1,5 +1,3 @@
-#![expect(clippy::unwrap_used, reason = "a test fails aloud")]
-
 use pode::contacts::{ContactGuard, WithContacts};
 use pode::stepper::Rk4;
 use pode::{Event, EventCause, Limits, Motion, Piece, Signal, Simulator, Watch, Work};
@@ -32,7 +30,6 @@ impl Watch<Action> for Strings {
 }
 
 /// Presses a key; returns the events of the string, and the work.
-#[expect(clippy::large_stack_frames, reason = "a test, off the tick")]
 fn pressed(text: &str, length: f64, reach: f64) -> (Strings, Work) {
     let action: Run<10> = model(described(text), (0, 40));
     let still = Motion::default();

@@ -1,5 +1,4 @@
 //! Stated properties of described models, against their behaviour.
-#![expect(clippy::float_cmp, reason = "bits are what is compared")]
 
 use instruments::equations::ModeNumber;
 use pode::contacts::{ContactMode, ContactSet, ContactState, WithContacts};

@@ -1,7 +1,4 @@
 //! Memory keybed, scripted voices and virtual time.
-#![expect(unreachable_pub, reason = "shared by test programs")]
-#![allow(dead_code, reason = "no test program uses all of it")]
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test may stop here")]
 
 use scheduler::lane::run_slots;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
@@ -124,7 +121,6 @@ pub struct Rig {
 }
 
 impl Rig {
-    #[expect(clippy::large_stack_frames, reason = "all turns; a test has the stack")]
     pub fn new() -> Self {
         let period = Period::from_hz(HZ).unwrap();
         Self {

@@ -1,6 +1,4 @@
 //! A pendulum that hangs from an arm on a spring, as a table and functions.
-#![expect(unreachable_pub, reason = "a test's own module")]
-#![allow(clippy::disallowed_macros, clippy::disallowed_types, reason = "a test may use the heap")]
 
 use std::sync::LazyLock;
 

@@ -1,5 +1,4 @@
 //! Random expressions, evaluated by recursion with a bound of their rounding errors.
-#![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
 
 pub mod lever;
 

@@ -1,6 +1,3 @@
-#![expect(clippy::unwrap_used, reason = "a test fails aloud, and bits are what is compared")]
-#![expect(unreachable_pub, reason = "a test's own module")]
-
 pub mod pendulum;
 pub mod touching;
 

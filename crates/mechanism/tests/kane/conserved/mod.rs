@@ -2,7 +2,6 @@
 //!
 //! A method under a tolerance has that error in each step, in the mean square of the state's
 //! entries; a conserved quantity may drift by its steps times its slope by the entries.
-#![expect(clippy::print_stdout, reason = "what was compared is shown")]
 
 mod built_in;
 mod planar;

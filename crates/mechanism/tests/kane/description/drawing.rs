@@ -1,5 +1,4 @@
 //! Drawings, against positions computed by hand.
-#![expect(clippy::float_cmp, reason = "these values are exact")]
 
 use super::meaning::value;
 use super::{WEIGHT, good, mistakes_of};

@@ -1,5 +1,4 @@
 //! Values of expressions, against numbers computed by hand.
-#![expect(clippy::float_cmp, reason = "these values are exact")]
 
 use mechanism::kane::graph::{Node, Place};
 use mechanism::kane::mechanism::Mechanism;

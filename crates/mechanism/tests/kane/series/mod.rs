@@ -1,8 +1,3 @@
-#![expect(
-    clippy::large_types_passed_by_value,
-    reason = "models are copied, and a test has the stack"
-)]
-
 mod coefficients;
 mod motion;
 
