@@ -1,7 +1,6 @@
 //! The committed messages match their description.
 //!
 //! `UPDATE_MESSAGES=1 cargo test -p telemetry generated` regenerates them.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

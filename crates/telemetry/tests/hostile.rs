@@ -1,8 +1,5 @@
 //! A good client is served, whatever arrives by the network.
 
-#![expect(clippy::expect_used, reason = "a test that cannot go on fails")]
-#![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
-
 use std::io::Write as _;
 use std::net::TcpStream;
 use std::time::{Duration, Instant};

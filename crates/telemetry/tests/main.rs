@@ -1,5 +1,6 @@
 //! Streams and recordings, also of hostile peers and broken files.
-#![allow(clippy::expect_used, reason = "helpers of tests fail aloud")]
+#![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests fail aloud")]
+#![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
 
 mod common;
 mod generated;

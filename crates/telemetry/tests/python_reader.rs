@@ -1,5 +1,4 @@
 //! The Python packages `mcap` and `mcap-protobuf-support` read our recordings.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -8,7 +7,7 @@ use std::process::Command;
 use serde_json::{Value, json};
 use telemetry::{KEYS, Update};
 
-use crate::common::{at, block, performance, record};
+use crate::common::{at, block, performance, record, unrecorded};
 
 /// Packages of the script, at tried versions.
 const PACKAGES: [&str; 2] = ["mcap==1.6.0", "mcap-protobuf-support==0.6.0"];
@@ -51,8 +50,7 @@ fn python_reads_what_was_recorded() {
             return;
         }
     };
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let told = performance(2000);
     record(&path, &told);
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/read_mcap.py");

@@ -1,8 +1,5 @@
 //! Server and client: subscriptions, rights, and slow clients.
 
-#![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
-#![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
-
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 

@@ -1,15 +1,16 @@
 //! Messages of a host, and a recording of them.
-#![allow(dead_code, reason = "each test uses what it needs")]
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use telemetry::event::Kind;
-use telemetry::recording::{Recorder, Recording, RecordingLimits, RecordingSettings};
+use telemetry::recording::{
+    Recorder, Recording, RecordingLimits, RecordingSettings, RecordingStatus,
+};
 use telemetry::{
     Catalogue, Deadlines, Event, KeyBlock, KeyState, Links, Log, Midi, Model, Overview, Signal,
     Ticks, Update, Voice,
 };
+use tempfile::TempDir;
 
 /// Time of tick 0 (ns since 1970).
 pub(crate) const BEGAN: u64 = 1_700_000_000_000_000_000;
@@ -147,16 +148,30 @@ pub(crate) fn limited(path: &Path, change: impl FnOnce(&mut RecordingLimits)) ->
     settings
 }
 
+/// Returns a new folder and the path of a recording in it.
+pub(crate) fn unrecorded() -> (TempDir, PathBuf) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    (folder, path)
+}
+
+/// Records at such a place.
+pub(crate) fn recorded(told: &[(u64, Update)]) -> (TempDir, PathBuf) {
+    let (folder, path) = unrecorded();
+    record(&path, told);
+    (folder, path)
+}
+
 pub(crate) fn record(path: &Path, told: &[(u64, Update)]) {
     record_as(settings(path), told);
 }
 
-pub(crate) fn record_as(settings: RecordingSettings, told: &[(u64, Update)]) {
+pub(crate) fn record_as(settings: RecordingSettings, told: &[(u64, Update)]) -> RecordingStatus {
     let mut recorder = Recorder::create(settings).expect("a new file");
     for (at, update) in told {
         recorder.write(*at, update).expect("a message");
     }
-    recorder.finish().expect("a complete file");
+    recorder.finish().expect("a complete file")
 }
 
 /// Returns everything readable, and the errors.

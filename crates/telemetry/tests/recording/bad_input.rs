@@ -5,7 +5,7 @@ use std::fs;
 use mcap::records::Metadata;
 use telemetry::recording::Recording;
 
-use crate::common::{performance, record};
+use crate::common::{performance, record, unrecorded};
 
 fn mcap(profile: &str, entries: &[(&str, &str)]) -> Vec<u8> {
     let mut file = std::io::Cursor::new(Vec::new());
@@ -50,8 +50,7 @@ fn each_is_refused_in_a_sentence_of_its_own() {
 
 #[test]
 fn a_file_that_another_tool_numbered_anew_is_read_by_names() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let told = performance(100);
     record(&path, &told);
     let renumbered = renumber(&fs::read(&path).expect("the file"));
@@ -62,8 +61,7 @@ fn a_file_that_another_tool_numbered_anew_is_read_by_names() {
 
 #[test]
 fn an_older_file_that_says_once_what_it_is_is_read_without_that() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let told = performance(100);
     record(&path, &told);
     let older = renumber(&fs::read(&path).expect("the file"));

@@ -5,13 +5,13 @@ use telemetry::event::Kind;
 use telemetry::recording::{Recording, Selection, export_csv};
 use telemetry::{Event, KeyBlock, Update};
 
-use crate::common::{BLOCK, at, block, catalogue, event, performance, record, voice};
+use crate::common::{
+    BLOCK, at, block, catalogue, event, performance, record, recorded, unrecorded, voice,
+};
 
 #[test]
 fn a_table_has_every_row_and_every_signal() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(2000));
+    let (folder, path) = recorded(&performance(2000));
     let recording = Recording::open(&path).expect("a recording");
     let selection = Selection { keys: BTreeSet::from([39]), ..Selection::default() };
     let exported = export_csv(&recording, folder.path(), &selection).expect("exported");
@@ -48,8 +48,7 @@ fn a_table_has_every_row_and_every_signal() {
 
 #[test]
 fn a_key_whose_model_changes_has_two_tables() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (folder, path) = unrecorded();
     // The block in which it changes has rows of both.
     let Update::Block(both) = block(39, 0) else { unreachable!() };
     let revision = (0..BLOCK).map(|row| if row < 5 { 39 } else { 40 }).collect();
@@ -92,9 +91,7 @@ fn a_key_whose_model_changes_has_two_tables() {
 
 #[test]
 fn a_recording_without_a_catalogue_has_no_times() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &[(at(0), block(39, 0))]);
+    let (folder, path) = recorded(&[(at(0), block(39, 0))]);
     let recording = Recording::open(&path).expect("a recording");
     let error = export_csv(&recording, folder.path(), &Selection::default()).expect_err("none");
     assert!(error.to_string().contains(" has no catalogue, which says how long a tick is"));

@@ -4,7 +4,7 @@ use std::fs;
 
 use telemetry::recording::{Recording, recover};
 
-use crate::common::{performance, record};
+use crate::common::{performance, recorded};
 
 const CHUNK: u8 = 6;
 /// Most data of a zstd block (B).
@@ -37,9 +37,7 @@ fn chunk(compression: &str, length: u64, data: &[u8]) -> Vec<u8> {
 
 #[test]
 fn a_chunk_that_would_be_gigabytes_is_refused_before_it_is_decompressed() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(100));
+    let (folder, path) = recorded(&performance(100));
     let whole = fs::read(&path).expect("the file");
     let summary = mcap::Summary::read(&whole).expect("a summary").expect("there is one");
     let start = summary.chunk_indexes.first().expect("a chunk").chunk_start_offset;

@@ -1,5 +1,4 @@
 //! Recordings return their messages, whatever happened to the file.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod bad_input;
 mod black_box;

@@ -8,7 +8,7 @@ use telemetry::event::Kind;
 use telemetry::recording::{Playback, Recording, marks};
 use telemetry::{Arrival, ConnectionState, KEYS, Request, Source as _, Timeline, Topic, Update};
 
-use crate::common::{at, event, performance, record};
+use crate::common::{at, event, performance, record, recorded, unrecorded};
 
 /// Returns a playback, and the milliseconds of its clock.
 fn played(path: &Path) -> (Playback, Arc<AtomicU64>) {
@@ -38,9 +38,7 @@ fn ticks(come: &[Option<(u64, Topic)>], topic: Topic) -> Vec<u64> {
 
 #[test]
 fn it_begins_with_catalogue_and_voices_and_goes_on_by_the_clock() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(10_000));
+    let (_folder, path) = recorded(&performance(10_000));
     let (mut playback, clock) = played(&path);
     playback.follow(&BTreeSet::from([Topic::Block(39)]));
     let first = come(&mut playback);
@@ -69,9 +67,7 @@ fn it_begins_with_catalogue_and_voices_and_goes_on_by_the_clock() {
 
 #[test]
 fn a_repeating_playback_begins_again_at_its_end() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(1_000));
+    let (_folder, path) = recorded(&performance(1_000));
     let (playback, clock) = played(&path);
     let mut playback = playback.repeating();
     playback.follow(&BTreeSet::from([Topic::Block(39)]));
@@ -91,9 +87,7 @@ fn a_repeating_playback_begins_again_at_its_end() {
 
 #[test]
 fn another_place_begins_with_the_seconds_before_it() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(20_000));
+    let (_folder, path) = recorded(&performance(20_000));
     let (mut playback, clock) = played(&path);
     playback.set_speed(0.0);
     playback.follow(&BTreeSet::from([Topic::Block(39)]));
@@ -116,9 +110,7 @@ fn another_place_begins_with_the_seconds_before_it() {
 
 #[test]
 fn a_topic_that_is_followed_anew_begins_with_its_last_seconds_and_misses_nothing() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(12_000));
+    let (_folder, path) = recorded(&performance(12_000));
     let (mut playback, clock) = played(&path);
     playback.follow(&BTreeSet::from([Topic::Block(39)]));
     clock.store(7010, Ordering::Relaxed);
@@ -138,8 +130,7 @@ fn a_topic_that_is_followed_anew_begins_with_its_last_seconds_and_misses_nothing
 
 #[test]
 fn a_key_that_lies_still_for_long_comes_with_its_last_rows() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let is_still = |it: &(u64, Update)| matches!(&it.1, Update::Block(block) if block.key == 40 && 100 <= block.tick);
     let told: Vec<_> = performance(12_000).into_iter().filter(|it| !is_still(it)).collect();
     record(&path, &told);
@@ -154,9 +145,7 @@ fn a_key_that_lies_still_for_long_comes_with_its_last_rows() {
 
 #[test]
 fn a_topic_that_is_followed_anew_does_not_run_ahead() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(8000));
+    let (_folder, path) = recorded(&performance(8000));
     let (mut playback, clock) = played(&path);
     // Once a second: the position of the next is already known.
     playback.follow(&BTreeSet::from([Topic::Links]));
@@ -176,9 +165,7 @@ fn a_topic_that_is_followed_anew_does_not_run_ahead() {
 
 #[test]
 fn a_recording_refuses_what_is_asked() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(100));
+    let (_folder, path) = recorded(&performance(100));
     let (mut playback, _clock) = played(&path);
     let ticket = playback.ask(Request::Stop {});
     // Seeking loses no answer.
@@ -196,8 +183,7 @@ fn a_recording_refuses_what_is_asked() {
 
 #[test]
 fn marks_are_what_is_worth_finding() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let mut told = performance(5000);
     told.push((at(5001), event(Kind::Fault, 5001, 0.0, 39)));
     told.push((at(5002), event(Kind::Recovery, 5002, 0.0, 39)));
@@ -220,9 +206,7 @@ fn marks_are_what_is_worth_finding() {
 
 #[test]
 fn a_cut_recording_says_so_and_is_played() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(3000));
+    let (_folder, path) = recorded(&performance(3000));
     let bytes = std::fs::read(&path).expect("the file");
     std::fs::write(&path, &bytes[..bytes.len() / 2]).expect("a file");
     let (mut playback, clock) = played(&path);

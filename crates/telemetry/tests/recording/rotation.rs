@@ -8,18 +8,15 @@ use telemetry::recording::{
     RecordError, Recorder, Recording, RecordingLimits, RecordingSettings, recover,
 };
 
-use crate::common::{KEYS, at, catalogue, limited, performance, read, settings, small};
+use crate::common::{
+    KEYS, at, catalogue, limited, performance, read, record, record_as, settings, small, unrecorded,
+};
 
 #[test]
 fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (folder, path) = unrecorded();
     let told = performance(40_000);
-    let mut recorder = Recorder::create(small(&path)).expect("a new file");
-    for (at, update) in &told {
-        recorder.write(*at, update).expect("written");
-    }
-    let recorded = recorder.finish().expect("complete");
+    let recorded = record_as(small(&path), &told);
     assert!(4 < recorded.files.len(), "{:?}", recorded.files);
     assert_eq!(recorded.files[1], folder.path().join("take-0002.mcap"));
     for file in &recorded.files {
@@ -49,17 +46,12 @@ fn before(told: &[(u64, Update)], from: u64, rest: usize) -> usize {
 
 #[test]
 fn a_recording_that_became_too_large_keeps_its_last_files() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (folder, path) = unrecorded();
     let most = 3 * RecordingLimits::LEAST_FILE;
     let settings = limited(&path, |limits| {
         (limits.largest_total, limits.largest_file) = (most, RecordingLimits::LEAST_FILE);
     });
-    let mut recorder = Recorder::create(settings).expect("a new file");
-    for (at, update) in &performance(40_000) {
-        recorder.write(*at, update).expect("written");
-    }
-    let recorded = recorder.finish().expect("complete");
+    let recorded = record_as(settings, &performance(40_000));
     assert!(recorded.bytes <= most, "{} bytes", recorded.bytes);
     assert!(0 < recorded.removed && !path.exists());
     assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), recorded.files.len());
@@ -71,15 +63,10 @@ fn a_recording_that_became_too_large_keeps_its_last_files() {
 
 #[test]
 fn a_file_has_no_more_than_the_time_that_it_may() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let told = performance(20_000);
     let settings = limited(&path, |limits| limits.longest_file = Some(Duration::from_secs(6)));
-    let mut recorder = Recorder::create(settings).expect("a new file");
-    for (at, update) in &told {
-        recorder.write(*at, update).expect("written");
-    }
-    let recorded = recorder.finish().expect("complete");
+    let recorded = record_as(settings, &told);
     assert_eq!(recorded.files.len(), 4, "{:?}", recorded.files);
     for file in &recorded.files {
         let (from, to) = Recording::open_file(file).expect("a file").span().expect("messages");
@@ -90,9 +77,8 @@ fn a_file_has_no_more_than_the_time_that_it_may() {
 
 #[test]
 fn a_file_that_is_missing_or_none_is_said_and_the_others_are_read() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    crate::common::record_as(small(&path), &performance(40_000));
+    let (folder, path) = unrecorded();
+    record_as(small(&path), &performance(40_000));
     let third = folder.path().join("take-0003.mcap");
     let whole = read(&Recording::open(&path).expect("a recording")).0;
     let check = |expected: &str| {
@@ -111,9 +97,8 @@ fn a_file_that_is_missing_or_none_is_said_and_the_others_are_read() {
 
 #[test]
 fn a_file_that_breaks_off_before_the_next_is_a_hole_also_once_it_is_recovered() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    crate::common::record_as(small(&path), &performance(40_000));
+    let (folder, path) = unrecorded();
+    record_as(small(&path), &performance(40_000));
     let second = folder.path().join("take-0002.mcap");
     let whole = fs::read(&second).expect("a file");
     fs::write(&second, &whole[..whole.len() / 2]).expect("a file");
@@ -139,12 +124,11 @@ fn a_file_that_breaks_off_before_the_next_is_a_hole_also_once_it_is_recovered() 
 
 #[test]
 fn files_of_other_runs_are_not_taken_for_this_one_s() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (folder, path) = unrecorded();
     let told = performance(100);
-    crate::common::record(&path, &told);
+    record(&path, &told);
     // Another recording whose own name looks like a second file's.
-    crate::common::record(&folder.path().join("take-0002.mcap"), &told);
+    record(&folder.path().join("take-0002.mcap"), &told);
     let recording = Recording::open(&path).expect("a recording");
     assert_eq!((recording.files().count(), recording.tear()), (1, None));
 }
@@ -168,8 +152,7 @@ fn nothing_is_overwritten() {
 
 #[test]
 fn a_recording_ends_before_the_disk_is_full() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let settings = limited(&path, |limits| limits.lowest_free = u64::MAX);
     let error = Recorder::create(settings).expect_err("refused").to_string();
     assert!(error.starts_with(&format!("{} is not begun: only ", path.display())), "{error}");
@@ -179,8 +162,7 @@ fn a_recording_ends_before_the_disk_is_full() {
 
 #[test]
 fn a_message_of_no_key_is_refused_and_the_recording_goes_on() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let mut recorder = Recorder::create(settings(&path)).expect("a new file");
     let stray = telemetry::KeyBlock { key: 88, ..telemetry::KeyBlock::default() };
     let error = recorder.write(at(0), &Update::Block(stray)).expect_err("refused");
@@ -196,8 +178,7 @@ fn left_behind(path: &std::path::Path) -> usize {
 
 #[test]
 fn nothing_waits_in_memory_for_longer_than_asked() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let settings = RecordingSettings { flush: Duration::from_mins(1), ..settings(&path) };
     let mut recorder = Recorder::create(settings).expect("a new file");
     let told = performance(3000);

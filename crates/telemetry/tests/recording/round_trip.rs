@@ -4,23 +4,21 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use telemetry::recording::{Recorder, Recording};
+use telemetry::recording::Recording;
 use telemetry::{Topic, Update};
 
-use crate::common::{KEYS, at, catalogue, event, performance, read, record, settings, voice};
+use crate::common::{
+    KEYS, at, catalogue, event, performance, read, record, record_as, recorded, settings,
+    unrecorded, voice,
+};
 
 #[test]
 fn every_topic_comes_back_in_order() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let (_folder, path) = unrecorded();
     let told = performance(5000);
     let topics: BTreeSet<_> = told.iter().filter_map(|(_, update)| update.topic()).collect();
     assert!(Topic::COMMON.iter().all(|topic| topics.contains(topic)), "the test tells all");
-    let path = folder.path().join("take.mcap");
-    let mut recorder = Recorder::create(settings(&path)).expect("a new file");
-    for (at, update) in &told {
-        recorder.write(*at, update).expect("written");
-    }
-    let recorded = recorder.finish().expect("complete");
+    let recorded = record_as(settings(&path), &told);
     assert_eq!(recorded.messages, told.len() as u64);
     assert_eq!(recorded.bytes, path.metadata().expect("the file").len());
     let recording = Recording::open(&path).expect("a recording");
@@ -56,8 +54,7 @@ fn damaged_zstd_loses_a_chunk_at_most() {
 
 #[test]
 fn a_key_of_some_seconds_is_read_alone() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let told = performance(20_000);
     record(&path, &told);
     let recording = Recording::open(&path).expect("a recording");
@@ -79,9 +76,7 @@ fn a_key_of_some_seconds_is_read_alone() {
 
 #[test]
 fn opening_a_long_recording_reads_its_summary_only() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &performance(100_000));
+    let (_folder, path) = recorded(&performance(100_000));
     let recording = Recording::open(&path).expect("a recording");
     let size = path.metadata().expect("the file").len();
     assert!(10_000_000 < size, "{size}");
@@ -91,8 +86,7 @@ fn opening_a_long_recording_reads_its_summary_only() {
 
 #[test]
 fn voices_are_those_of_the_time() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let mut told = performance(10_000);
     let half = told.iter().position(|(when, _)| at(5000) < *when).expect("a half");
     told.insert(half, (at(5000), voice(39, 100, "wall", "brick")));
@@ -112,9 +106,7 @@ fn voices_are_those_of_the_time() {
 
 #[test]
 fn an_empty_recording_is_one() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
-    record(&path, &[]);
+    let (_folder, path) = recorded(&[]);
     let recording = Recording::open(&path).expect("a recording");
     assert_eq!((recording.span(), recording.catalogue().expect("read")), (None, None));
     assert_eq!(recording.tear(), None);
@@ -123,8 +115,7 @@ fn an_empty_recording_is_one() {
 
 #[test]
 fn messages_at_the_ends_of_time_are_kept() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (_folder, path) = unrecorded();
     let strike = |tick| event(telemetry::event::Kind::Strike, tick, 0.0, 1);
     let told = vec![(u64::MAX, strike(1)), (0, strike(2))];
     record(&path, &told);

@@ -8,7 +8,7 @@ use proptest::sample::Index;
 use telemetry::Update;
 use telemetry::recording::{Recorder, Recording, recover};
 
-use crate::common::{noise, performance, read, record, settings};
+use crate::common::{noise, performance, read, record, settings, unrecorded};
 
 /// Messages with their times (ns since 1970).
 type Told = Vec<(u64, Update)>;
@@ -306,8 +306,7 @@ proptest! {
 
 #[test]
 fn what_a_dying_host_leaves_behind_is_read_and_made_whole() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("take.mcap");
+    let (folder, path) = unrecorded();
     let told = performance(3000);
     let mut recorder = Recorder::create(settings(&path)).expect("a new file");
     for (at, update) in &told {

@@ -1,7 +1,5 @@
 //! A synthetic host on its stream, clients of ours, and raw clients.
 
-#![allow(dead_code, reason = "each test file uses its own part")]
-
 #[path = "../../examples/stream_demo/synthetic.rs"]
 pub(crate) mod synthetic;
 
