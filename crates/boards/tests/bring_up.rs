@@ -2,46 +2,12 @@
 
 use std::time::Duration;
 
-use boards::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
+use boards::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use boards::rt::board_supervisor::{ArmLockout, ArmState};
 use boards::rt::link_snapshot::LinkSnapshot;
 use firmware_protocol::frame::key_forces::ForcePacking;
-use firmware_protocol::frame::key_samples::SamplePacking;
-use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::port::KeyBus as _;
 
-use crate::common::{clock, keybed, nominal, pair};
-
-const PATIENCE: u64 = 5_000_000;
-
-fn wanted() -> WantedBoards {
-    WantedBoards { hz: 1_000, ..WantedBoards::default() }
-}
-
-fn terms() -> Terms {
-    Terms {
-        period_us: 1_000,
-        samples: SamplePacking::default(),
-        forces: ForcePacking::default(),
-        valid_ms: 100,
-    }
-}
-
-fn armed(keybed: Keybed<Offline>) -> Keybed<Armed> {
-    let identified = keybed.identify(PATIENCE).expect("boards");
-    let calibrated = identified.calibrate(&wanted(), nominal).expect("good boards");
-    calibrated.arm(terms(), PATIENCE).expect("boards that can be armed")
-}
-
-fn exchange(keybed: &mut Keybed<Armed>, from: u64, ticks: u64, force: f64) -> [KeySample; KEYS] {
-    let mut samples = [KeySample::default(); KEYS];
-    for tick in from..from + ticks {
-        keybed.receive(tick, &mut samples);
-        keybed.send(tick, &[force; KEYS], &[KeySlope::HELD; KEYS]);
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    samples
-}
+use crate::common::{PATIENCE, armed, clock, exchange, keybed, nominal, pair, terms, wanted};
 
 #[test]
 fn two_boards_are_found_armed_and_take_forces_of_their_own_and_for_all_boards() {

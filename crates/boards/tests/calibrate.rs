@@ -5,20 +5,16 @@ use boards::calibrate::{
     self, Bench, CalibrationFault, RangeMeasurement, RangeTerms, RangedObject, Rested, Travelled,
 };
 use boards::calibration::KeyCalibration;
-use boards::keybed::{Keybed, NamedLink, Terms, WantedBoards};
+use boards::keybed::{Keybed, NamedLink};
 use boards::sim::board::{BoardMake, SimulatedBoard};
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::acyclic::calibration::{KeyCalibration as Kept, ReadCalibration};
-use firmware_protocol::frame::key_forces::ForcePacking;
-use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::plant::RigParameters;
 use haptics::{AnyEstimator, BackwardDifference, SampledWall};
 
-use crate::common::{Living, clock, nominal, pair};
-
-const PATIENCE: u64 = 5_000_000;
+use crate::common::{Living, armed, clock, pair};
 
 const TRIES: usize = 5;
 
@@ -31,12 +27,7 @@ fn bench(make: BoardMake) -> (Bench, Living) {
     let (host, away) = pair();
     let board = Living::start(SimulatedBoard::new(make).expect("a possible board"), away);
     let lines = vec![NamedLink::new("socket 3", Box::new(host))];
-    let identified = Keybed::new(lines, clock()).identify(PATIENCE).expect("a board");
-    let wanted = WantedBoards { hz: 1_000, ..WantedBoards::default() };
-    let calibrated = identified.calibrate(&wanted, nominal).expect("a good board");
-    let (samples, forces) = (SamplePacking::default(), ForcePacking::default());
-    let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 100 };
-    (Bench::new(calibrated.arm(terms, PATIENCE).expect("a board that arms")), board)
+    (Bench::new(armed(Keybed::new(lines, clock()))), board)
 }
 
 fn key(slot: u8) -> KeyIndex {

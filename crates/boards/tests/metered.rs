@@ -1,13 +1,9 @@
 //! Observed load of a line, compared with the plan.
 
-use std::time::Duration;
-
-use boards::keybed::{Keybed, NamedLink, Terms, WantedBoards};
+use boards::keybed::{Keybed, NamedLink};
 use boards::plan::{BusPlan, Extras, Medium, standard};
-use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::port::KeyBus as _;
 
-use crate::common::{Living, board, clock, nominal, pair};
+use crate::common::{Living, armed, board, clock, exchange, pair, terms};
 
 #[test]
 fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
@@ -19,19 +15,8 @@ fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
         NamedLink { medium: Some(medium), ..NamedLink::new("known", Box::new(host)) },
         NamedLink::new("not known", Box::new(other_host)),
     ];
-    let identified = Keybed::new(lines, clock()).identify(5_000_000).unwrap();
-    let calibrated = identified
-        .calibrate(&WantedBoards { hz: 1_000, ..WantedBoards::default() }, nominal)
-        .unwrap();
-    let WantedBoards { samples, forces, .. } = WantedBoards::default();
-    let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 100 };
-    let mut keybed = calibrated.arm(terms, 5_000_000).unwrap();
-    let mut readings = [KeySample::default(); KEYS];
-    for tick in 0..1_000 {
-        keybed.receive(tick, &mut readings);
-        keybed.send(tick, &[0.0; KEYS], &[KeySlope::HELD; KEYS]);
-        std::thread::sleep(Duration::from_millis(1));
-    }
+    let mut keybed = armed(Keybed::new(lines, clock()));
+    exchange(&mut keybed, 0, 1_000, 0.0);
     let lines = keybed.line_reports();
     assert_eq!((lines[1].medium, lines[1].load), (None, None));
     let load = lines[0].load.unwrap();
@@ -42,8 +27,8 @@ fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
         name: "known".into(),
         medium,
         boards: standard(1..2),
-        samples,
-        forces,
+        samples: terms().samples,
+        forces: terms().forces,
         sample_rate: statistics.samples.frames as f64 / seconds,
         force_rate: statistics.sent as f64 / seconds,
         extras: Extras::NONE,

@@ -8,13 +8,16 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use boards::calibration::KeyCalibration;
-use boards::keybed::{FoundBoard, Keybed, NamedLink, Offline};
+use boards::keybed::{Armed, FoundBoard, Keybed, NamedLink, Offline, Terms, WantedBoards};
 use boards::links::{HostClock, Link, RecvError, SendError};
 use boards::refusal::{BoardName, Refusal};
 use boards::sim::board::{BoardMake, SimulatedBoard};
-use firmware_protocol::key::BoardId;
-use firmware_protocol::key::PerKey;
+use firmware_protocol::frame::key_forces::ForcePacking;
+use firmware_protocol::frame::key_samples::SamplePacking;
+use firmware_protocol::key::{BoardId, PerKey};
 use haptics::plant::RigParameters;
+use scheduler::motion::{KEYS, KeySample, KeySlope};
+use scheduler::port::KeyBus as _;
 
 pub fn now_us() -> u64 {
     static BEGAN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
@@ -117,4 +120,36 @@ pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
 pub fn nominal(found: &FoundBoard, _name: &BoardName) -> Result<PerKey<KeyCalibration>, Refusal> {
     let n = usize::from(found.hello.n_keys);
     Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), n)))
+}
+
+pub const PATIENCE: u64 = 5_000_000;
+
+pub fn wanted() -> WantedBoards {
+    WantedBoards { hz: 1_000, ..WantedBoards::default() }
+}
+
+pub fn terms() -> Terms {
+    let (samples, forces) = (SamplePacking::default(), ForcePacking::default());
+    Terms { period_us: 1_000, samples, forces, valid_ms: 100 }
+}
+
+pub fn armed(keybed: Keybed<Offline>) -> Keybed<Armed> {
+    let identified = keybed.identify(PATIENCE).expect("boards");
+    let calibrated = identified.calibrate(&wanted(), nominal).expect("good boards");
+    calibrated.arm(terms(), PATIENCE).expect("boards that can be armed")
+}
+
+pub fn exchange(
+    keybed: &mut Keybed<Armed>,
+    from: u64,
+    ticks: u64,
+    force: f64,
+) -> [KeySample; KEYS] {
+    let mut samples = [KeySample::default(); KEYS];
+    for tick in from..from + ticks {
+        keybed.receive(tick, &mut samples);
+        keybed.send(tick, &[force; KEYS], &[KeySlope::HELD; KEYS]);
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    samples
 }
