@@ -36,8 +36,43 @@ fn check<const T: usize>(key: KeySafety, ticks: [(Trust, f64); T], expected: [f6
 use Trust::{Fault, Fresh, NotThere, Trusted};
 
 #[test]
-fn an_outage_is_held_one_tick_and_then_faded_to_the_safe_force() {
-    check(following(4.0), [(NotThere, 9.0); 6], [4.0, 3.0, 2.0, 1.0, 0.0, 0.0]);
+fn every_trouble_sends_the_forces_of_its_row() {
+    let four = following(4.0);
+    // An outage is held one tick, and then faded to the safe force.
+    check(four, [(NotThere, 9.0); 6], [4.0, 3.0, 2.0, 1.0, 0.0, 0.0]);
+    // One missing tick is bridged, and the voice met half-way.
+    check(four, [(NotThere, 4.0), (Trusted, 6.0), (Trusted, 7.0)], [4.0, 5.0, 7.0]);
+    // The return takes as long as the outage and a tick, but no longer than the fade.
+    let ticks = [(NotThere, 0.0), (NotThere, 0.0), (Trusted, 0.0), (Trusted, 0.0), (Trusted, 8.0)];
+    check(four, ticks, [4.0, 3.0, 2.0, 1.0, 8.0]);
+    check(KeySafety::SILENT, [(Trusted, 4.0); 5], [1.0, 2.0, 3.0, 4.0, 4.0]);
+    // A fault reaches the safe force before the voice is felt again.
+    let mut ticks = [(Trusted, 4.0); 10];
+    ticks[0] = (Fault, f64::NAN);
+    check(four, ticks, [4.0, 3.0, 2.0, 1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0]);
+    // A fault within an outage continues its fade.
+    let ticks = [(NotThere, 4.0), (NotThere, 4.0), (Fault, 4.0), (Trusted, 4.0), (NotThere, 4.0)];
+    check(four, ticks, [4.0, 3.0, 2.0, 1.0, 0.0]);
+    // A fresh voice is blended in from what was felt before.
+    check(four, [(Fresh, 0.0), (Trusted, 0.0)], [3.0, 2.0]);
+    check(four, [(NotThere, 0.0), (Fresh, 0.0), (Trusted, 0.0)], [4.0, 3.0, 2.0]);
+    // Forces too large to blend become the safe force.
+    check(following(f64::MAX), [(Fresh, -f64::MAX)], [0.0]);
+}
+
+#[test]
+fn trouble_on_the_way_back_starts_from_what_is_felt_and_goes_on_no_faster() {
+    let back = |done, sent| {
+        let state = SafetyState::Returning { from: 0.0, done, of: 4 };
+        KeySafety { state, sent, position: 0.0 }
+    };
+    check(back(2, 4.0), [(NotThere, 8.0), (NotThere, 8.0)], [4.0, 3.0]);
+    check(back(2, 4.0), [(Fault, 8.0), (Trusted, 8.0)], [4.0, 3.0]);
+    check(back(2, 4.0), [(Fresh, 8.0), (Trusted, 8.0)], [5.0, 6.0]);
+    check(back(2, 4.0), [(Trusted, 8.0), (Trusted, 8.0)], [6.0, 8.0]);
+    // A return that was cut short.
+    let ticks = [(NotThere, 8.0), (Trusted, 8.0), (Trusted, 8.0), (Trusted, 8.0)];
+    check(back(1, 2.0), ticks, [2.0, 4.0, 6.0, 8.0]);
 }
 
 #[test]
@@ -70,50 +105,6 @@ fn a_held_force_against_which_the_key_moves_falls_by_the_time_alone() {
 }
 
 #[test]
-fn one_missing_tick_is_bridged_and_the_voice_met_half_way() {
-    check(following(4.0), [(NotThere, 4.0), (Trusted, 6.0), (Trusted, 7.0)], [4.0, 5.0, 7.0]);
-}
-
-#[test]
-fn the_return_takes_as_long_as_the_outage_and_a_tick_but_no_longer_than_the_fade() {
-    let ticks = [(NotThere, 0.0), (NotThere, 0.0), (Trusted, 0.0), (Trusted, 0.0), (Trusted, 8.0)];
-    check(following(4.0), ticks, [4.0, 3.0, 2.0, 1.0, 8.0]);
-    check(KeySafety::SILENT, [(Trusted, 4.0); 5], [1.0, 2.0, 3.0, 4.0, 4.0]);
-}
-
-#[test]
-fn a_fault_reaches_the_safe_force_before_the_voice_is_felt_again() {
-    let mut ticks = [(Trusted, 4.0); 10];
-    ticks[0] = (Fault, f64::NAN);
-    check(following(4.0), ticks, [4.0, 3.0, 2.0, 1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0]);
-}
-
-#[test]
-fn a_fault_within_an_outage_goes_on_with_its_fade() {
-    let ticks = [(NotThere, 4.0), (NotThere, 4.0), (Fault, 4.0), (Trusted, 4.0), (NotThere, 4.0)];
-    check(following(4.0), ticks, [4.0, 3.0, 2.0, 1.0, 0.0]);
-}
-
-#[test]
-fn a_fresh_voice_is_blended_in_from_what_was_felt_before() {
-    check(following(4.0), [(Fresh, 0.0), (Trusted, 0.0)], [3.0, 2.0]);
-    check(following(4.0), [(NotThere, 0.0), (Fresh, 0.0), (Trusted, 0.0)], [4.0, 3.0, 2.0]);
-}
-
-#[test]
-fn trouble_on_the_way_back_starts_from_what_is_felt() {
-    let back = KeySafety {
-        state: SafetyState::Returning { from: 0.0, done: 2, of: 4 },
-        sent: 4.0,
-        position: 0.0,
-    };
-    check(back, [(NotThere, 8.0), (NotThere, 8.0)], [4.0, 3.0]);
-    check(back, [(Fault, 8.0), (Trusted, 8.0)], [4.0, 3.0]);
-    check(back, [(Fresh, 8.0), (Trusted, 8.0)], [5.0, 6.0]);
-    check(back, [(Trusted, 8.0), (Trusted, 8.0)], [6.0, 8.0]);
-}
-
-#[test]
 fn a_voice_that_moved_on_during_an_outage_is_met_at_the_slew_limit() {
     // The voice went from 10 N to -25 N, 20 N a tick, while one sample was missing: half-way
     // back is 17.5 N away, and the rest must not come in one tick with the voice's own change.
@@ -122,22 +113,6 @@ fn a_voice_that_moved_on_during_an_outage_is_met_at_the_slew_limit() {
     let ticks = [(NotThere, 5.0), (Trusted, -15.0), (Trusted, -25.0), (Trusted, -25.0)];
     let sent = ticks.map(|(trust, force)| key.step(trust, (force, 0.0), ramps, 1.0));
     assert_eq!(sent.map(f64::to_bits), [25.0, 5.0, -15.0, -25.0].map(f64::to_bits), "{sent:?}");
-}
-
-#[test]
-fn a_return_that_was_cut_short_goes_on_no_faster() {
-    let back = KeySafety {
-        state: SafetyState::Returning { from: 0.0, done: 1, of: 4 },
-        sent: 2.0,
-        position: 0.0,
-    };
-    let ticks = [(NotThere, 8.0), (Trusted, 8.0), (Trusted, 8.0), (Trusted, 8.0)];
-    check(back, ticks, [2.0, 4.0, 6.0, 8.0]);
-}
-
-#[test]
-fn forces_too_large_to_blend_become_the_safe_force() {
-    check(following(f64::MAX), [(Fresh, -f64::MAX)], [0.0]);
 }
 
 fn safety() -> Safety {
