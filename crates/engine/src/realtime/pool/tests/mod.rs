@@ -69,15 +69,26 @@ impl Voice for Blocking {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-struct Panicking;
+/// Voice whose turn is a function of the tick.
+struct Turn<F>(F);
 
-impl Voice for Panicking {
+impl<F: FnMut(u64, &mut VoiceOutput)> Voice for Turn<F> {
     fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
-        assert_ne!(tick, 3, "a bug");
-        turn.force = 5.0;
+        (self.0)(tick, turn);
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
+}
+
+fn voice(turn: impl FnMut(u64, &mut VoiceOutput) + Send + 'static) -> BoxedVoice {
+    Box::new(Turn(turn))
+}
+
+fn panicking() -> BoxedVoice {
+    voice(|tick, turn| {
+        assert_ne!(tick, 3, "a bug");
+        turn.force = 5.0;
+    })
 }
 
 /// Voice that reports when it is freed.
@@ -197,56 +208,29 @@ fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
     assert!(late == 1 && 0 < late_own_work && late_own_work + passed <= 2);
 }
 
-struct Steady {
-    work: u32,
-    is_at_rest: bool,
-}
-
-impl Voice for Steady {
-    fn tick(&mut self, _tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
-        turn.force = 1.0;
-        (turn.work.units, turn.idle) = (self.work, self.is_at_rest);
-    }
-
-    fn reset(&mut self, _sample: &KeySample) {}
-}
-
-/// Voice at rest that reports tick 2 and waits.
-struct Sleeping(Sender<()>, Receiver<()>);
-
-impl Voice for Sleeping {
-    fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
-        turn.idle = true;
-        if tick == 2 {
-            self.0.send(()).unwrap();
-            wait_for(&self.1).unwrap();
-        }
-    }
-
-    fn reset(&mut self, _sample: &KeySample) {}
-}
-
-/// Voice that holds lane 0 at tick 2 until another one reports.
-struct Listening(Receiver<()>);
-
-impl Voice for Listening {
-    fn tick(&mut self, tick: u64, _sample: &KeySample, _turn: &mut VoiceOutput) {
-        if tick == 2 {
-            wait_for(&self.0).unwrap();
-        }
-    }
-
-    fn reset(&mut self, _sample: &KeySample) {}
+fn steady(work: u32) -> BoxedVoice {
+    voice(move |_tick, turn| (turn.force, turn.work.units) = (1.0, work))
 }
 
 #[test]
 fn a_late_lane_costs_keys_at_rest_before_those_that_move() {
     let (begun, has_begun) = channel();
     let (go, go_on) = channel();
-    let steady = || Box::new(Steady { work: 0, is_at_rest: false }) as BoxedVoice;
-    let mut voices: Vec<_> = (0..KEYS).map(|key| (key, steady())).collect();
-    voices[ELSEWHERE].1 = Box::new(Sleeping(begun, go_on));
-    voices[INLINE].1 = Box::new(Listening(has_begun));
+    let mut voices: Vec<_> = (0..KEYS).map(|key| (key, steady(0))).collect();
+    // At rest, it reports tick 2 and waits.
+    voices[ELSEWHERE].1 = voice(move |tick, turn| {
+        turn.idle = true;
+        if tick == 2 {
+            begun.send(()).unwrap();
+            wait_for(&go_on).unwrap();
+        }
+    });
+    // It holds lane 0 at tick 2 until the other one reports.
+    voices[INLINE].1 = voice(move |tick, _turn| {
+        if tick == 2 {
+            wait_for(&has_begun).unwrap();
+        }
+    });
     let mut run = Run::new(start(voices, 2).0);
     run.tick(0);
     run.tick(1);
@@ -265,8 +249,7 @@ fn lanes_become_equal_wherever_the_work_is() {
     for n_lanes in 2..=4 {
         let work =
             |key| if lane_of(key, n_lanes) == 1 { 50 + u32::try_from(key).unwrap() } else { 0 };
-        let voice = |key| Box::new(Steady { work: work(key), is_at_rest: false }) as BoxedVoice;
-        let voices = (0..KEYS).map(|key| (key, voice(key))).collect();
+        let voices = (0..KEYS).map(|key| (key, steady(work(key)))).collect();
         let mut run = Run::new(start(voices, n_lanes).0);
         for tick in 0..200 {
             assert!(run.tick(tick).iter().all(|turn| (turn.force - 1.0).abs() == 0.0));
@@ -305,27 +288,20 @@ fn a_lane_that_was_held_up_joins_the_present_and_tells_which_ticks_it_ran() {
     assert_eq!(run.lanes.counters().late, 9);
 }
 
-/// Strikes in each tick but the first, once the test lets it.
-struct Gated(Receiver<()>);
-
-impl Voice for Gated {
-    fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
-        if 0 < tick {
-            // At its end the test sends nothing more.
-            wait_for(&self.0).unwrap_or_default();
-            let strike = KeyEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) };
-            turn.events.push(Moment { tick, theta: 0.5 }, strike);
-        }
-    }
-
-    fn reset(&mut self, _sample: &KeySample) {}
-}
-
 #[test]
 fn a_lane_that_is_late_again_tells_which_ticks_its_events_are_of() {
     let (go, go_on) = channel();
+    // It strikes in each tick but the first, once the test lets it.
+    let gated = voice(move |tick, turn| {
+        if 0 < tick {
+            // At its end the test sends nothing more.
+            wait_for(&go_on).unwrap_or_default();
+            let strike = KeyEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) };
+            turn.events.push(Moment { tick, theta: 0.5 }, strike);
+        }
+    });
     // The only voice, or it would be moved to a lane with less work.
-    let (lanes, _swaps) = start(vec![(ELSEWHERE, Box::new(Gated(go_on)) as BoxedVoice)], 2);
+    let (lanes, _swaps) = start(vec![(ELSEWHERE, gated)], 2);
     let mut run = Run::new(lanes);
     run.tick(0);
     run.lanes.set_patience(NONE);
@@ -369,7 +345,9 @@ fn a_key_that_is_not_followed_is_not_looked_at() {
 fn a_voice_that_panics_is_faulty_for_good_and_alone() {
     for n_lanes in 1..=3 {
         let mut healthy = Run::new(start(echoes(), 1).0);
-        let mut run = Run::new(start(echoes_but(ELSEWHERE, Panicking), n_lanes).0);
+        let mut voices = echoes();
+        voices[ELSEWHERE].1 = panicking();
+        let mut run = Run::new(start(voices, n_lanes).0);
         for tick in 0..10 {
             let expected = healthy.force_bits(tick);
             let forces = run.force_bits(tick);
@@ -408,7 +386,7 @@ fn a_whole_instrument_is_replaced_in_some_ticks_and_the_next_waits_for_it_not_fo
     let every_key: Vec<_> = (0..KEYS).collect();
     assert_eq!(swaps.wait_for_room(&every_key), Ok(()));
     for key in 0..KEYS {
-        swaps.send(key, VoiceChange::Replace(Box::new(Panicking))).unwrap();
+        swaps.send(key, VoiceChange::Replace(panicking())).unwrap();
     }
     let refused = swaps.wait_for_room(&[3]).unwrap_err();
     assert!(refused.contains("too many voices are waiting"), "no tick runs: {refused}");
@@ -423,17 +401,14 @@ fn a_whole_instrument_is_replaced_in_some_ticks_and_the_next_waits_for_it_not_fo
 
 #[test]
 fn a_voice_for_a_key_without_one_is_given_back() {
-    let (_lanes, mut swaps) = start(vec![(3, Box::new(Panicking))], 1);
-    let refused = swaps.send(4, VoiceChange::Replace(Box::new(Panicking)));
+    let (_lanes, mut swaps) = start(vec![(3, panicking())], 1);
+    let refused = swaps.send(4, VoiceChange::Replace(panicking()));
     assert!(matches!(refused, Err(Refused::NoSuchVoice(_))));
-    assert!(swaps.send(88, VoiceChange::Replace(Box::new(Panicking))).is_err());
+    assert!(swaps.send(88, VoiceChange::Replace(panicking())).is_err());
     for _ in 0..KEYS {
-        swaps.send(3, VoiceChange::Replace(Box::new(Panicking))).unwrap();
+        swaps.send(3, VoiceChange::Replace(panicking())).unwrap();
     }
-    assert!(matches!(
-        swaps.send(3, VoiceChange::Replace(Box::new(Panicking))),
-        Err(Refused::Full(_))
-    ));
+    assert!(matches!(swaps.send(3, VoiceChange::Replace(panicking())), Err(Refused::Full(_))));
 }
 
 #[test]
