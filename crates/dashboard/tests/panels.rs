@@ -5,7 +5,7 @@ use std::time::Duration;
 use dashboard::{Pane, SavedWindow};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
 use telemetry::{Catalogue, Model, Request, Signal, Update, signal};
 
 use crate::common::{Behind, TestWindow, open, open_with, wrong_description};
@@ -26,18 +26,15 @@ fn slide(window: &mut TestWindow, name: &str, share: f32) {
 }
 
 fn write(window: &mut TestWindow, label: &str, text: &str) {
-    window.harness.get_by_label(label).click();
-    window.settle();
+    window.click(label);
     write_here(window, text);
 }
 
 /// Replaces the text of the focused field by `text`.
 fn write_here(window: &mut TestWindow, text: &str) {
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.harness.event(egui::Event::Text(text.into()));
-    window.settle();
-    window.harness.key_press(Key::Enter);
-    window.settle();
+    window.type_in(text);
+    window.press(Modifiers::NONE, Key::Enter);
 }
 
 #[test]
@@ -55,8 +52,7 @@ fn a_key_is_selected_with_a_click_and_a_range_with_shift() {
     window.settle();
     window.harness.state_mut().open(Pane::Instruments);
     window.settle();
-    window.harness.get_by_role_and_label(Role::Button, "upright").click();
-    window.settle();
+    window.click_role(Role::Button, "upright");
     let expected =
         Request::UseInstrument { instrument: "upright".into(), keys: Some("E4..A4".into()) };
     assert_eq!(window.asked().last(), Some(&expected));
@@ -95,8 +91,7 @@ fn any_step_is_one_click_away() {
     assert_eq!(window.set(C4, "k_drive").last(), Some(&9000.0));
     window.click("as it was before");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&1000.0));
-    let first = window.harness.get_by_label("as it was before");
-    assert_eq!(first.accesskit_node().toggled(), Some(egui::accesskit::Toggled::True));
+    assert!(window.is_on("as it was before"));
 }
 
 #[test]
@@ -126,10 +121,8 @@ fn a_field_that_is_left_as_it_was_changes_nothing() {
     // More digits than the field shows.
     write(&mut window, "hammer mass value", "0.00234567");
     let before = window.set(C4, "mh");
-    window.harness.get_by_label("hammer mass value").click();
-    window.settle();
-    window.harness.key_press(Key::Enter);
-    window.settle();
+    window.click("hammer mass value");
+    window.press(Modifiers::NONE, Key::Enter);
     assert_eq!((before.last(), window.set(C4, "mh")), (Some(&0.002_345_67), before.clone()));
 }
 
@@ -140,11 +133,9 @@ fn a_value_is_typed_and_taken_back_with_the_keyboard() {
     assert_eq!(window.set(C4, "k_drive").last(), Some(&7250.0));
     write(&mut window, "lever leather value", "1e9");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&100_000.0));
-    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
-    window.settle();
+    window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(window.set(C4, "k_drive").last(), Some(&7250.0));
-    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
-    window.settle();
+    window.press(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     assert_eq!(window.set(C4, "k_drive").last(), Some(&100_000.0));
 }
 
@@ -176,11 +167,8 @@ fn a_snapshot_is_kept_and_recalled() {
     let mut window = open(Pane::Tuning, Behind::Live);
     window.harness.get_by_label("snapshot").focus();
     window.settle();
-    let field = window.harness.get_by_role_and_label(Role::TextInput, "snapshot");
-    field.click();
-    window.settle();
-    window.harness.event(egui::Event::Text("soft".into()));
-    window.settle();
+    window.click_role(Role::TextInput, "snapshot");
+    window.type_in("soft");
     window.click("Keep");
     write(&mut window, "lever leather value", "10000");
     window.click("Recall soft");
@@ -199,11 +187,8 @@ fn a_scene_and_a_preset_are_shown_as_files() {
     let file = window.harness.get_by_label("file").value().unwrap_or_default();
     assert!(file.contains("model = \"viennese\""), "{file}");
     let path = std::env::temp_dir().join(format!("letoff-preset-{}.toml", std::process::id()));
-    let field = window.harness.get_by_role_and_label(Role::TextInput, "to");
-    field.click();
-    window.settle();
-    window.harness.event(egui::Event::Text(path.display().to_string()));
-    window.settle();
+    window.click_role(Role::TextInput, "to");
+    window.type_in(path.display().to_string());
     window.click("Write");
     assert_eq!(std::fs::read_to_string(&path).expect("it is written"), file);
     // An existing file is not overwritten.
@@ -215,22 +200,17 @@ fn a_scene_and_a_preset_are_shown_as_files() {
 #[test]
 fn an_instrument_is_used_for_a_typed_range() {
     let mut window = open(Pane::Instruments, Behind::Live);
-    let field = window.harness.get_by_role_and_label(Role::TextInput, "for keys");
-    field.click();
-    window.settle();
+    window.click_role(Role::TextInput, "for keys");
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.harness.event(egui::Event::Text("C4..B5".into()));
-    window.settle();
-    window.harness.get_by_role_and_label(Role::Button, "harpsichord").click();
-    window.settle();
+    window.type_in("C4..B5");
+    window.click_role(Role::Button, "harpsichord");
     let expected = |keys: Option<&str>| Request::UseInstrument {
         instrument: "harpsichord".into(),
         keys: keys.map(str::to_owned),
     };
     assert_eq!(window.asked().last(), Some(&expected(Some("C4..B5"))));
     window.click("All");
-    window.harness.get_by_role_and_label(Role::Button, "harpsichord").click();
-    window.settle();
+    window.click_role(Role::Button, "harpsichord");
     assert_eq!(window.asked().last(), Some(&expected(None)));
 }
 
@@ -263,9 +243,7 @@ fn a_description_shows_its_mistakes_and_is_read_again_or_opened() {
 fn stop_is_one_click_away_in_every_panel() {
     for pane in Pane::ALL {
         let mut window = open(*pane, Behind::Live);
-        let stop = window.harness.get_by_label_contains("STOP");
-        stop.click();
-        window.settle();
+        window.click_any("STOP");
         assert_eq!(window.asked().last(), Some(&Request::Stop {}), "{pane:?}");
     }
 }
@@ -278,17 +256,14 @@ fn stop_has_a_shortcut_that_is_heard_whatever_is_done() {
         window.asked().iter().filter(is_stop).count()
     };
     window.click("Computer keyboard plays");
-    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::Period);
-    window.settle();
+    window.press(Modifiers::COMMAND, Key::Period);
     assert_eq!(stops(&window), 1, "while the computer keyboard plays");
     window.harness.get_by_label("newtons").focus();
     window.settle();
-    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::Period);
-    window.settle();
+    window.press(Modifiers::COMMAND, Key::Period);
     assert_eq!(stops(&window), 2, "while somebody types");
     let mut window = open(Pane::Log, Behind::Live);
-    window.harness.key_press(Key::F1);
-    window.settle();
+    window.press(Modifiers::NONE, Key::F1);
     assert!(window.says("STOP: no force on any key"), "it stands in the help");
 }
 
@@ -296,8 +271,7 @@ fn stop_has_a_shortcut_that_is_heard_whatever_is_done() {
 fn a_stop_says_in_large_letters_what_became_of_it() {
     let mut window = open(Pane::Log, Behind::Live);
     assert!(!window.says("STOPPED"));
-    window.harness.get_by_label_contains("STOP").click();
-    window.settle();
+    window.click_any("STOP");
     let title = "STOPPED, boards told: 8 of 8";
     assert!(window.has(title) && window.says("No force on any key."));
     assert!(window.rect(title).height() > 25.0, "large");
@@ -308,8 +282,7 @@ fn a_stop_says_in_large_letters_what_became_of_it() {
 #[test]
 fn a_stop_that_is_not_confirmed_says_to_cut_the_power() {
     let mut window = open(Pane::Log, Behind::Vanishing);
-    window.harness.get_by_label_contains("STOP").click();
-    window.settle();
+    window.click_any("STOP");
     let title = "STOP NOT CONFIRMED: CUT THE POWER";
     assert!(window.has(title) && window.says("the connection was lost before the host answered"));
     // Each label has its own place, and none covers another.
@@ -321,8 +294,7 @@ fn a_stop_that_is_not_confirmed_says_to_cut_the_power() {
     }
     // A recording has no keys that could have forces.
     let mut window = open(Pane::Log, Behind::Recording);
-    window.harness.get_by_label_contains("STOP").click();
-    window.settle();
+    window.click_any("STOP");
     assert!(!window.has(title) && window.says("this is a recording"));
 }
 
@@ -352,8 +324,7 @@ fn a_recording_is_begun_and_ended() {
 fn everything_stands_still_until_it_is_let_go() {
     let mut window = open(Pane::Scope(0), Behind::Live);
     let time = |window: &TestWindow, text: &str| window.says(text);
-    window.harness.key_press(Key::Space);
-    window.settle();
+    window.press(Modifiers::NONE, Key::Space);
     assert!(time(&window, "3.006 s"));
     window.time.set(4.0);
     window.settle();
@@ -366,53 +337,44 @@ fn everything_stands_still_until_it_is_let_go() {
 fn a_scope_that_was_moved_follows_again() {
     let mut window = open(Pane::Scope(0), Behind::Live);
     window.drag(egui::pos2(400.0, 300.0), egui::pos2(500.0, 300.0), PointerButton::Primary);
-    let follows = |window: &TestWindow| {
-        let follow = window.harness.get_by_label("Follow");
-        follow.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
-    };
-    assert!(!follows(&window));
-    window.harness.key_press(Key::F);
-    window.settle();
-    assert!(follows(&window));
+    assert!(!window.is_on("Follow"));
+    window.press(Modifiers::NONE, Key::F);
+    assert!(window.is_on("Follow"));
+}
+
+fn turn_wheel(window: &mut TestWindow, modifiers: Modifiers) {
+    window.harness.step();
+    window.harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: vec2(0.0, 100.0),
+        modifiers,
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+    });
+    window.harness.run_steps(20);
 }
 
 #[test]
 fn the_wheel_and_the_right_button_zoom() {
     let mut window = open(Pane::Scope(0), Behind::Live);
-    let span = |window: &TestWindow| {
-        let field = window.harness.get_by_label("window");
-        field.accesskit_node().numeric_value().unwrap_or_default()
-    };
-    assert!(near(span(&window), 2.0, 1e-9));
+    assert!(near(window.number("window"), 2.0, 1e-9));
     window.drag(egui::pos2(300.0, 300.0), egui::pos2(500.0, 300.0), PointerButton::Secondary);
-    let zoomed = span(&window);
+    let zoomed = window.number("window");
     assert!((0.3..0.7).contains(&zoomed), "{zoomed}");
     window.harness.hover_at(egui::pos2(400.0, 300.0));
-    window.harness.step();
-    window.harness.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: vec2(0.0, 100.0),
-        modifiers: Modifiers::NONE,
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-    });
-    window.harness.run_steps(20);
-    assert!(span(&window) < 0.95 * zoomed, "{}", span(&window));
+    turn_wheel(&mut window, Modifiers::NONE);
+    assert!(window.number("window") < 0.95 * zoomed, "{}", window.number("window"));
 }
 
 #[test]
 fn cursors_are_dragged_and_say_the_difference() {
     let mut window = open(Pane::Scope(0), Behind::Live);
     window.click("Cursors");
-    let at = |window: &TestWindow, name: &str| {
-        let cursor = window.harness.get_by_label(name);
-        cursor.accesskit_node().numeric_value().unwrap_or_default()
-    };
-    let (a, b) = (at(&window, "cursor A in plot 1"), at(&window, "cursor B in plot 1"));
+    let [a, b] = ["cursor A in plot 1", "cursor B in plot 1"].map(|name| window.number(name));
     assert!(near(b - a, 2.0 / 3.0, 1e-6), "{a} {b}");
     let from = window.rect("cursor A in plot 1").center();
     window.drag(from, from - vec2(84.0, 0.0), PointerButton::Primary);
-    let moved = at(&window, "cursor A in plot 2");
+    let moved = window.number("cursor A in plot 2");
     assert!(moved < a - 0.15, "{a} {moved}");
     assert!(window.says("Δt"));
 }
@@ -422,12 +384,10 @@ fn several_keys_are_seen_in_one_scope() {
     let mut window = open(Pane::Scope(0), Behind::Live);
     assert!(window.has("position [mm]"));
     window.click("Compare");
-    window.harness.get_by_role_and_label(Role::TextInput, "with").click();
-    window.settle();
+    window.click_role(Role::TextInput, "with");
     write_here(&mut window, "E4, H9");
     assert!(window.says("write E4") && !window.has("Remove E4"));
-    window.harness.get_by_role_and_label(Role::TextInput, "with").click();
-    window.settle();
+    window.click_role(Role::TextInput, "with");
     write_here(&mut window, "E4, G4");
     assert!(window.has("Remove E4") && window.has("Remove G4"));
     window.play_on(3.0, 4.2);
@@ -457,8 +417,7 @@ fn a_signal_without_a_unit_has_no_brackets() {
 
 /// Returns the span of values that plot 1 shows.
 fn height(window: &TestWindow) -> f64 {
-    let axis = window.harness.get_by_label("y axis of plot 1");
-    axis.accesskit_node().numeric_value().unwrap_or_default()
+    window.number("y axis of plot 1")
 }
 
 #[test]
@@ -491,18 +450,9 @@ fn shift_and_the_wheel_zoom_in_values_and_not_in_time() {
     let all = height(&window);
     window.harness.hover_at(egui::pos2(400.0, 300.0));
     window.harness.event(egui::Event::ModifiersChanged(Modifiers::SHIFT));
-    window.harness.step();
-    window.harness.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: vec2(0.0, 100.0),
-        modifiers: Modifiers::SHIFT,
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-    });
-    window.harness.run_steps(20);
+    turn_wheel(&mut window, Modifiers::SHIFT);
     assert!(height(&window) < 0.8 * all, "{} of {all}", height(&window));
-    let field = window.harness.get_by_label("window");
-    assert_eq!(field.accesskit_node().numeric_value(), Some(2.0));
+    assert!(near(window.number("window"), 2.0, f64::EPSILON));
 }
 
 #[test]
@@ -582,14 +532,12 @@ fn a_key_is_held_where_the_mouse_drags_it_and_let_go_with_the_mouse() {
 #[test]
 fn the_computer_keyboard_plays_only_when_it_is_asked_to() {
     let mut window = open(Pane::Keyboard, Behind::Live);
-    window.harness.key_down(Key::D);
-    window.settle();
+    window.hold(Key::D);
     window.harness.key_up(Key::D);
     window.settle();
     assert!(window.asked().is_empty());
     window.click("Computer keyboard plays");
-    window.harness.key_down(Key::D);
-    window.settle();
+    window.hold(Key::D);
     // The third white key from C3 on.
     assert_eq!(window.asked().last(), Some(&Request::Press { key: 31, newtons: 6.0 }));
     window.harness.key_up(Key::D);
@@ -601,8 +549,7 @@ fn the_computer_keyboard_plays_only_when_it_is_asked_to() {
 fn holding_a_key() -> TestWindow {
     let mut window = open(Pane::Keyboard, Behind::Live);
     window.click("Computer keyboard plays");
-    window.harness.key_down(Key::D);
-    window.settle();
+    window.hold(Key::D);
     assert_eq!(window.asked(), [Request::Press { key: 31, newtons: 6.0 }]);
     window
 }
@@ -617,38 +564,31 @@ fn a_key_that_is_held_is_let_go_when_its_panel_is_hidden() {
     assert_eq!(window.asked().last(), Some(&LET_GO));
     // The keyboard is no longer a piano: shortcuts act again.
     window.harness.key_press(Key::F1);
-    window.harness.key_press(Key::Space);
-    window.settle();
-    let freeze = window.harness.get_by_label("Freeze");
-    assert_eq!(freeze.accesskit_node().toggled(), Some(egui::accesskit::Toggled::True));
+    window.press(Modifiers::NONE, Key::Space);
+    assert!(window.is_on("Freeze"));
     window.harness.state_mut().show_only(Pane::Keyboard);
     window.settle();
     let n = window.asked().len();
-    window.harness.key_down(Key::F);
-    window.settle();
+    window.hold(Key::F);
     assert_eq!(window.asked().len(), n, "it plays only when it is asked to, again");
 }
 
 #[test]
-fn a_key_that_is_held_is_let_go_when_the_window_loses_the_keyboard() {
-    let mut window = holding_a_key();
-    window.harness.event(egui::Event::WindowFocused(false));
-    window.settle();
-    assert_eq!(window.asked().last(), Some(&LET_GO));
-}
-
-#[test]
-fn a_key_that_is_held_is_let_go_when_the_computer_keyboard_plays_no_more() {
-    let mut window = holding_a_key();
-    window.click("Computer keyboard plays");
-    assert_eq!(window.asked().last(), Some(&LET_GO));
-}
-
-#[test]
-fn a_key_that_is_held_is_let_go_when_the_window_closes() {
-    let mut window = holding_a_key();
-    eframe::App::on_exit(window.harness.state_mut(), None);
-    assert_eq!(window.asked().last(), Some(&LET_GO));
+fn a_key_that_is_held_is_let_go() {
+    type End = (&'static str, fn(&mut TestWindow));
+    let ends: [End; 3] = [
+        ("the window loses the keyboard", |window| {
+            window.harness.event(egui::Event::WindowFocused(false));
+            window.settle();
+        }),
+        ("the computer keyboard plays no more", |window| window.click("Computer keyboard plays")),
+        ("the window closes", |window| eframe::App::on_exit(window.harness.state_mut(), None)),
+    ];
+    for (when, end) in ends {
+        let mut window = holding_a_key();
+        end(&mut window);
+        assert_eq!(window.asked().last(), Some(&LET_GO), "{when}");
+    }
 }
 
 #[test]
@@ -661,8 +601,7 @@ fn typing_into_a_field_plays_no_keys() {
     window.harness.get_by_role_and_label(Role::TextInput, "only with").focus();
     window.settle();
     window.harness.key_down(Key::D);
-    window.harness.event(egui::Event::Text("d".to_owned()));
-    window.settle();
+    window.type_in("d".to_owned());
     window.harness.key_up(Key::D);
     window.settle();
     assert!(window.asked().iter().all(|it| !matches!(it, Request::Press { .. })));
@@ -677,9 +616,7 @@ fn a_recording_is_scrubbed_paused_and_found_again() {
     let to = line.left_center() + vec2(line.width() * 0.5, 0.0);
     window.drag(line.left_center() + vec2(4.0, 0.0), to, PointerButton::Primary);
     assert!(window.says("2.") && window.says("of 4.5 s"));
-    let mark = window.harness.get_by_label_contains("F#4 recovered");
-    mark.click();
-    window.settle();
+    window.click_any("F#4 recovered");
     assert!(window.says("2.000 s of 4.5 s"));
 }
 
@@ -706,11 +643,8 @@ fn a_fault_is_explained_and_its_key_is_found() {
 fn midi_is_filtered_and_cleared() {
     let mut window = open(Pane::Midi, Behind::Live);
     assert!(window.says("note-on 60") && window.says("note-off 60"));
-    let field = window.harness.get_by_role_and_label(Role::TextInput, "only with");
-    field.click();
-    window.settle();
-    window.harness.event(egui::Event::Text("note-off".into()));
-    window.settle();
+    window.click_role(Role::TextInput, "only with");
+    window.type_in("note-off");
     assert!(!window.says("note-on 60") && window.says("note-off 60"));
     window.click("Clear");
     assert!(!window.says("note-off 60"));
@@ -753,11 +687,9 @@ fn a_panel_is_closed_and_opened_from_the_menu() {
 #[test]
 fn the_help_lists_the_shortcuts() {
     let mut window = open(Pane::Log, Behind::Live);
-    window.harness.key_press(Key::F1);
-    window.settle();
+    window.press(Modifiers::NONE, Key::F1);
     assert!(window.says("follow what comes"));
-    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
-    window.settle();
+    window.press(Modifiers::COMMAND, Key::Num9);
     assert!(window.has("Computer keyboard plays"));
 }
 
@@ -772,8 +704,7 @@ fn the_window_remembers_how_it_was_left() {
     after.harness.set_size(vec2(900.0, 1100.0));
     after.play(1.0);
     assert!(after.has("lock lever leather") && !after.has("key C4"));
-    let lock = after.harness.get_by_label("lock lever leather");
-    assert_eq!(lock.accesskit_node().toggled(), Some(egui::accesskit::Toggled::True));
+    assert!(after.is_on("lock lever leather"));
     let stale = open_with(Behind::Live, Some(SavedWindow::read("no memory at all")), |_| {});
     assert!(stale.has("key C4"));
 }

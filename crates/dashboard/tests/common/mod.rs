@@ -12,7 +12,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use dashboard::{App, Pane, SavedWindow, WallClock};
 use eframe::egui;
-use egui_kittest::{Harness, kittest::Queryable as _};
+use eframe::egui::accesskit::{Role, Toggled};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use host::{RequestLog, TakeHost};
 use telemetry::{Catalogue, Description, DescriptionFile, Request, Source, Update, Voice};
 
@@ -115,6 +117,46 @@ impl TestWindow {
     pub(crate) fn click(&mut self, label: &str) {
         self.harness.get_by_label(label).click();
         self.settle();
+    }
+
+    #[track_caller]
+    pub(crate) fn click_role(&mut self, role: Role, label: &str) {
+        self.harness.get_by_role_and_label(role, label).click();
+        self.settle();
+    }
+
+    /// Clicks the element whose label contains `part`.
+    #[track_caller]
+    pub(crate) fn click_any(&mut self, part: &str) {
+        self.harness.get_by_label_contains(part).click();
+        self.settle();
+    }
+
+    pub(crate) fn press(&mut self, modifiers: egui::Modifiers, key: egui::Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.settle();
+    }
+
+    pub(crate) fn hold(&mut self, key: egui::Key) {
+        self.harness.key_down(key);
+        self.settle();
+    }
+
+    pub(crate) fn type_in(&mut self, text: impl Into<String>) {
+        self.harness.event(egui::Event::Text(text.into()));
+        self.settle();
+    }
+
+    #[track_caller]
+    pub(crate) fn is_on(&self, label: &str) -> bool {
+        let node = self.harness.get_by_label(label);
+        node.accesskit_node().toggled() == Some(Toggled::True)
+    }
+
+    #[track_caller]
+    pub(crate) fn number(&self, label: &str) -> f64 {
+        let node = self.harness.get_by_label(label);
+        node.accesskit_node().numeric_value().unwrap_or_default()
     }
 
     /// Clicks in the middle of a hand-drawn element.
