@@ -11,13 +11,16 @@ use pode::{Limits, RecordedEvent, Simulator, Tick};
 use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::{Clock, run_driven};
 
-/// Two fields that depend on the time alone, on either side of x = 0: x' = r₊(t) above and r₋(t)
-/// below; y' = +1 above and −1 below, so that y shows the share of each.
+/// Two fields that depend on the time alone, on either side of x = size c t: x' = size r₊(t) above
+/// and size r₋(t) below; y' = +1 above and −1 below, so that y shows the share of each.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Fields {
+pub struct Fields {
     /// Coefficients of r₊ by power of t.
-    above: [f64; 4],
-    below: [f64; 4],
+    pub above: [f64; 4],
+    pub below: [f64; 4],
+    /// c (1/s).
+    pub drift: f64,
+    pub size: f64,
 }
 
 fn polynomial(c: [f64; 4], t: f64) -> f64 {
@@ -33,22 +36,23 @@ impl Sided for Fields {
 
     fn derivative(&self, branch: Branch, _: &[f64; 2], t: &Clock) -> [f64; 2] {
         let c = if branch.side == SurfaceSide::Above { self.above } else { self.below };
-        [polynomial(c, t.0), branch.side.sign()]
+        [self.size * polynomial(c, t.0), branch.side.sign()]
     }
 
     fn readout(&self, branch: Branch, _: &[f64; 2], _: &Clock) -> f64 {
         branch.side.sign()
     }
 
-    fn surface(&self, x: &[f64; 2], _: &Clock) -> Surface<[f64; 2]> {
-        Surface { value: x[0], gradient: [1.0, 0.0], drift: 0.0 }
+    fn surface(&self, x: &[f64; 2], t: &Clock) -> Surface<[f64; 2]> {
+        let drift = self.size * self.drift;
+        Surface { value: x[0] - drift * t.0, gradient: [1.0, 0.0], drift: -drift }
     }
 }
 
 type Slide = Simulator<Filippov<Fields>, Rk4>;
 
 fn start(above: [f64; 4], below: [f64; 4], x: f64) -> Slide {
-    let model = Filippov(Fields { above, below });
+    let model = Filippov(Fields { above, below, drift: 0.0, size: 1.0 });
     let (mode, state) = model.start(&[x, 0.0], &Clock(0.0));
     Simulator::new(model, Rk4, Limits::default(), mode, state)
 }

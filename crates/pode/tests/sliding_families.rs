@@ -3,49 +3,22 @@
 //! The rates are lines in the time, so x is a parabola on each side: the reference solves
 //! successive quadratics, without any step.
 
-use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
+use pode::filippov::{Filippov, Mode, Sided as _, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Simulator};
 use proptest::prelude::*;
 
 use crate::driven::{Clock, run_driven};
+use crate::sliding::Fields;
 
-/// x' = a + b t, on either side of a surface x = c t.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Lines {
-    above: [f64; 2],
-    below: [f64; 2],
-    drift: f64,
-    size: f64,
+/// Returns the coefficients of a + b t.
+fn line([a, b]: [f64; 2]) -> [f64; 4] {
+    [a, b, 0.0, 0.0]
 }
 
-impl Lines {
-    fn relative(&self, side: SurfaceSide) -> [f64; 2] {
-        let [a, b] = if side == SurfaceSide::Above { self.above } else { self.below };
-        [a - self.drift, b]
-    }
-}
-
-impl Sided for Lines {
-    type State = [f64; 2];
-    type Input = Clock;
-    const COORDS: usize = 2;
-    const SIZE: f64 = 1.0;
-    const RATE: f64 = 1.0;
-
-    fn derivative(&self, branch: Branch, _: &[f64; 2], t: &Clock) -> [f64; 2] {
-        let [a, b] = if branch.side == SurfaceSide::Above { self.above } else { self.below };
-        [self.size * (a + b * t.0), branch.side.sign()]
-    }
-
-    fn readout(&self, branch: Branch, _: &[f64; 2], _: &Clock) -> f64 {
-        branch.side.sign()
-    }
-
-    fn surface(&self, x: &[f64; 2], t: &Clock) -> Surface<[f64; 2]> {
-        let drift = self.size * self.drift;
-        Surface { value: x[0] - drift * t.0, gradient: [1.0, 0.0], drift: -drift }
-    }
+fn relative(lines: &Fields, side: SurfaceSide) -> [f64; 2] {
+    let [a, b, ..] = if side == SurfaceSide::Above { lines.above } else { lines.below };
+    [a - lines.drift, b]
 }
 
 fn first_root([c0, c1, c2]: [f64; 3], from: f64) -> Option<f64> {
@@ -71,8 +44,8 @@ fn rate([a, b]: [f64; 2], t: f64) -> f64 {
     a + b * t
 }
 
-fn reference(lines: &Lines, x: f64, until: f64) -> Vec<Epoch> {
-    let [up, down] = [SurfaceSide::Above, SurfaceSide::Below].map(|side| lines.relative(side));
+fn reference(lines: &Fields, x: f64, until: f64) -> Vec<Epoch> {
+    let [up, down] = [SurfaceSide::Above, SurfaceSide::Below].map(|side| relative(lines, side));
     let begin = if x > 0.0 { Mode::Above } else { Mode::Below };
     let mut epochs = vec![Epoch { from: 0.0, mode: begin, margin: 1.0 }];
     let mut height = x;
@@ -117,8 +90,8 @@ prop_compose! {
         below in prop::array::uniform2(-2.0..2.0),
         drift in prop_oneof![Just(0.0), -1.0..1.0],
         exponent in -3..1_i32,
-    ) -> Lines {
-        Lines { above, below, drift, size: 10_f64.powi(exponent) }
+    ) -> Fields {
+        Fields { above: line(above), below: line(below), drift, size: 10_f64.powi(exponent) }
     }
 }
 
@@ -162,9 +135,9 @@ proptest! {
     ) {
         // Halves, so that rates, hits and exits coincide to the bit.
         let halves = |it: [i32; 2]| it.map(|n| 0.5 * f64::from(n));
-        let lines = Lines {
-            above: halves(above),
-            below: halves(below),
+        let lines = Fields {
+            above: line(halves(above)),
+            below: line(halves(below)),
             drift: 0.5 * f64::from(drift),
             size: 10_f64.powi(exponent),
         };
