@@ -6,17 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::letoff::{folder, run};
 
-const DOCUMENTS: [&str; 9] = [
-    "README.md",
-    "BOARDS.md",
-    "CONTACTS.md",
-    "FIGURE6.md",
-    "GUIDE.md",
-    "IMPEDANCE.md",
-    "LANGUAGE.md",
-    "MANUAL.md",
-    "STABILITY.md",
-];
+const DOCUMENTS: &str = "README BOARDS CONTACTS FIGURE6 GUIDE IMPEDANCE LANGUAGE MANUAL STABILITY";
 
 struct Document {
     path: PathBuf,
@@ -63,7 +53,10 @@ fn documents() -> Vec<Document> {
             let is_folder = entry.file_type().expect("a kind of file").is_dir();
             if is_folder && name != "target" && !name.starts_with('.') {
                 folders.push(entry.path());
-            } else if DOCUMENTS.contains(&name.as_str()) {
+            } else if name
+                .strip_suffix(".md")
+                .is_some_and(|it| DOCUMENTS.split(' ').any(|known| known == it))
+            {
                 paths.push(entry.path());
             }
         }

@@ -8,6 +8,5 @@ mod serial;
 mod shares;
 
 fn hertz(rate: f64) -> u32 {
-    let whole = rate.round() as u32;
-    whole
+    rate.round() as u32
 }
