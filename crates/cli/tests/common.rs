@@ -10,10 +10,13 @@ use boards::identity::Uid;
 use boards::sim::board::BoardMake;
 use firmware_protocol::key::BoardId;
 use haptics::RigParameters;
+use host::control::{Folders, RequestHandler};
 use host::report::RunReport;
-use host::session::RunSession;
+use host::session::{RunOptions, RunSession};
 use host::simulated::{BoardProcess, WireEndpoint, place, run as run_boards};
+use scene::{Library, Scene};
 use scheduler::time::Nanos;
+use tokio::runtime::{Builder, Runtime};
 
 use crate::machine_time::{Task, WaitWatch};
 
@@ -76,6 +79,27 @@ impl Drop for Board {
 pub(crate) fn make(number: u8, n_keys: usize) -> BoardMake {
     let id = BoardId::new(number).expect("a board");
     BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
+}
+
+/// Returns a scene of the program with these values.
+pub(crate) fn scene(name: &str, values: &[(&str, &str)]) -> Scene {
+    let values: Vec<_> = values.iter().map(|it| (it.0.to_owned(), it.1.to_owned())).collect();
+    Scene::load(&Library::default(), name, &values).unwrap_or_else(|it| unreachable!("{it}"))
+}
+
+pub(crate) const SILENT: (&str, &str) = ("pianist.performance", "none");
+
+pub(crate) fn session(scene: &Scene) -> RunSession {
+    RunSession::prepare(scene, RunOptions::default(), &|_| {}).expect("a session")
+}
+
+/// Returns an idle host of "springs", the handler of its requests, and a runtime for both.
+pub(crate) fn idle_host() -> (RunSession, Arc<RequestHandler>, Runtime) {
+    let scene = scene("springs", &[SILENT]);
+    let session = session(&scene);
+    let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
+    let runtime = Builder::new_multi_thread().worker_threads(1).enable_all().build();
+    (session, requests, runtime.expect("a runtime"))
 }
 
 pub(crate) fn run_while(session: RunSession, look: impl FnOnce()) -> RunReport {

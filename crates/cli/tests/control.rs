@@ -5,32 +5,19 @@ use std::io::{BufRead as _, BufReader, Write as _};
 use std::os::unix::fs::PermissionsExt as _;
 use std::os::unix::net::{UnixListener, UnixStream};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::Duration;
 
 use host::control::{
-    Clients, ControlError, ControlServer, Folders, Reply, Request, RequestHandler, send,
-    send_within, serve,
+    Clients, ControlError, ControlServer, Reply, Request, send, send_within, serve,
 };
 use host::report::RunReport;
-use host::session::{RunOptions, RunSession};
-use scene::Scene;
 use telemetry::request::Change;
 
-use crate::common::run_while;
+use crate::common::{idle_host, run_while};
 
 fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {
-    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene =
-        Scene::load(&scene::Library::default(), "springs", &silent).expect("a scene of ours");
-    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
-    let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
+    let (session, requests, runtime) = idle_host();
     let path = socket(name);
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .worker_threads(1)
-        .enable_all()
-        .build()
-        .expect("a runtime");
     let server = {
         let _inside = runtime.enter();
         ControlServer::listen(&path).expect("a socket")
@@ -133,7 +120,7 @@ fn nonsense_is_refused_with_the_reason_and_disturbs_nobody() {
 #[test]
 fn a_second_host_does_not_take_the_socket_and_an_old_one_is_replaced() {
     let path = socket("second");
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().expect("one");
+    let runtime = runtime();
     let _inside = runtime.enter();
     let first = ControlServer::listen(&path).expect("a socket");
     assert!(ControlServer::listen(&path).is_err(), "two hosts listen at one place");

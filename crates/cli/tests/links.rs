@@ -6,12 +6,11 @@ use std::time::Duration;
 use boards::links::address::Address;
 use host::control::RunHandle;
 use host::observe::MessageSink;
-use host::session::{RunOptions, RunSession};
 use scene::{Override, Scene, link_overrides};
 use telemetry::event::Kind;
 use telemetry::{Links, Topic, Update};
 
-use crate::common::{Board, make, run_while};
+use crate::common::{Board, make, run_while, session};
 use crate::machine_time::{WaitWatch, with_time};
 
 /// Maximum wait, for any machine: it only ends failed tests.
@@ -36,7 +35,7 @@ fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Updat
     let overrides: Vec<_> = link_overrides(&parsed).into_iter().chain([silent]).collect();
     let scene =
         Scene::load_as_typed(&scene::Library::default(), "springs", &overrides).expect("a scene");
-    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let session = session(&scene);
     let handle = session.handle();
     let (tell, told) = channel();
     session.observe(Box::new(Ear(tell)));

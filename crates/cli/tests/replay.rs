@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use host::control::{Folders, Reply, Request, RequestHandler, follow_load};
 use host::observe::RecordingHandle as Recorded;
 use host::replay::{ReplayError, Replayed, replay};
 use host::session::{RunOptions, RunSession};
@@ -11,6 +12,7 @@ use telemetry::Update;
 use telemetry::recording::{Recording, RecordingLimits};
 use telemetry::request::{Change, RenderSetting};
 
+use crate::common::{SILENT, run_while, scene, session};
 use crate::typed::eventually;
 
 fn folder(name: &str) -> PathBuf {
@@ -19,10 +21,8 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-fn scene() -> Scene {
-    let piece = ("pianist.performance".to_owned(), "beethoven-ode-to-joy".to_owned());
-    Scene::load(&scene::Library::default(), "mixed", &[piece])
-        .unwrap_or_else(|wrong| unreachable!("{wrong}"))
+fn ode_to_joy() -> Scene {
+    scene("mixed", &[("pianist.performance", "beethoven-ode-to-joy")])
 }
 
 fn begin(session: &RunSession, file: &Path) -> Recorded {
@@ -53,7 +53,7 @@ const FOUR_SECONDS: RunOptions = RunOptions { duration: Some(4.0), virtual_time:
 #[test]
 fn a_piece_on_five_models_comes_out_the_same() {
     let file = folder("piece").join("a.mcap");
-    record(&scene(), RunOptions { duration: Some(6.0), ..FOUR_SECONDS }, &file);
+    record(&ode_to_joy(), RunOptions { duration: Some(6.0), ..FOUR_SECONDS }, &file);
     let replayed = again(&file).expect("a replay");
     assert_eq!(replayed.first_difference, None);
     assert_eq!((replayed.ticks, replayed.different), (24_000, 0), "six seconds at 4 kHz");
@@ -70,9 +70,7 @@ fn a_piece_that_repeats_comes_out_the_same_with_its_pedal() {
     std::fs::write(folder.join("piece.mid"), PIECE).expect("a file");
     let piece = folder.join("piece.mid").display().to_string();
     let set = [("pianist.performance", piece.as_str()), ("pianist.repeat", "true")];
-    let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
-    let scene = Scene::load(&scene::Library::default(), "mixed", &set)
-        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = scene("mixed", &set);
     let file = folder.join("a.mcap");
     // A pass of two and a half seconds.
     record(&scene, FOUR_SECONDS, &file);
@@ -88,7 +86,7 @@ fn a_piece_that_repeats_comes_out_the_same_with_its_pedal() {
 #[test]
 fn a_recording_that_breaks_off_is_the_same_as_far_as_it_goes() {
     let file = folder("torn").join("a.mcap");
-    record(&scene(), FOUR_SECONDS, &file);
+    record(&ode_to_joy(), FOUR_SECONDS, &file);
     let all = messages(&file);
     let mut noticed = 0;
     for cut in [5, 6, 7].into_iter().flat_map(|part| (0..4).map(move |more| (part, more))) {
@@ -105,7 +103,7 @@ fn a_recording_that_breaks_off_is_the_same_as_far_as_it_goes() {
 #[test]
 fn a_replay_ends_at_a_hole_which_is_no_difference() {
     let file = folder("hole").join("a.mcap");
-    record(&scene(), FOUR_SECONDS, &file);
+    record(&ode_to_joy(), FOUR_SECONDS, &file);
     let all = messages(&file);
     for (part, more) in [3, 5, 7].into_iter().flat_map(|part| (0..4).map(move |it| (part, it))) {
         let from = all.len() * part / 8 + more;
@@ -129,7 +127,7 @@ fn a_replay_ends_at_a_hole_which_is_no_difference() {
 #[test]
 fn a_changed_bit_is_found_where_it_is() {
     let file = folder("bit").join("a.mcap");
-    record(&scene(), FOUR_SECONDS, &file);
+    record(&ode_to_joy(), FOUR_SECONDS, &file);
     let mut messages = messages(&file);
     let mut blocks = messages.iter_mut().filter_map(|message| match message {
         Ok(Update::Block(block)) if block.position.iter().any(|it| 0.0 < *it) => Some(block),
@@ -163,13 +161,10 @@ fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
         ("wind_k", "1e-6"),
         ("b_jack", "1"),
     ];
-    let mut set: Vec<_> = parameters
-        .map(|(name, value)| (format!("keys.0.parameters.{name}"), value.to_owned()))
-        .to_vec();
-    set.push(("keys.0.range".to_owned(), "C4..C4".to_owned()));
-    set.push(("pianist.performance".to_owned(), "none".to_owned()));
-    let scene = Scene::load(&scene::Library::default(), "default", &set)
-        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let set = parameters.map(|(name, value)| (format!("keys.0.parameters.{name}"), value));
+    let mut set: Vec<_> = set.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    set.extend([("keys.0.range", "C4..C4"), SILENT]);
+    let scene = scene("default", &set);
     record(&scene, RunOptions { duration: Some(0.5), virtual_time: false }, &file);
     let limits = messages(&file).into_iter().filter_map(|message| match message {
         Ok(Update::Block(block)) => Some(block.limit),
@@ -183,9 +178,7 @@ fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
 #[test]
 fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     let file = folder("tuned").join("a.mcap");
-    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load(&scene::Library::default(), "springs", &silent)
-        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = scene("springs", &[SILENT]);
     tuned(&scene, RunOptions { duration: Some(2.0), virtual_time: false }, &file);
     let messages = messages(&file);
     let is_kept = |message: &&Result<Update, String>| matches!(message, Ok(Update::Voice(voice)) if voice.kept);
@@ -194,18 +187,22 @@ fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     assert_eq!(replayed.first_difference, None);
 }
 
+/// Asks until the host runs.
+fn ask_running(requests: &RequestHandler, request: &Request) -> Result<Reply, String> {
+    loop {
+        match requests.answer(request, "test") {
+            Err(why) if why.contains("not running yet") => std::thread::yield_now(),
+            answer => return answer,
+        }
+    }
+}
+
 /// Records a run in real time in which keys are pressed, retuned and replaced.
 fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
-    use host::control::{Folders, Request, RequestHandler};
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
     let _recording = begin(&session, file);
     let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
-    let ask = |request: Request| loop {
-        match requests.answer(&request, "test") {
-            Err(why) if why.contains("not running yet") => std::thread::yield_now(),
-            answer => return answer.expect("done"),
-        }
-    };
+    let ask = |request: Request| ask_running(&requests, &request).expect("done");
     std::thread::scope(|scope| {
         let run = scope.spawn(|| session.run(&AtomicBool::new(false)));
         let mass = |value| Request::Set {
@@ -227,16 +224,10 @@ const HELD: std::ops::Range<u8> = 39..44;
 
 /// Records a run in real time, without a pianist, whose settings change while keys are held.
 fn changed_settings(scene: &Scene, file: &Path) {
-    use host::control::{Folders, Reply, Request, RequestHandler};
-    let session = RunSession::prepare(scene, RunOptions::default(), &|_| {}).expect("a session");
+    let session = session(scene);
     let _recording = begin(&session, file);
     let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
-    let ask = |request: &Request| loop {
-        match requests.answer(request, "test") {
-            Err(why) if why.contains("not running yet") => std::thread::yield_now(),
-            answer => return answer,
-        }
-    };
+    let ask = |request: &Request| ask_running(&requests, request);
     let set = |settings: &[(&str, &str)]| {
         let setting = |it: &(&str, &str)| RenderSetting { name: it.0.into(), value: it.1.into() };
         ask(&Request::Render { settings: settings.iter().map(setting).collect() })
@@ -245,7 +236,7 @@ fn changed_settings(scene: &Scene, file: &Path) {
         Ok(Reply::Scene { toml }) => toml,
         other => unreachable!("{other:?}"),
     };
-    let report = crate::common::run_while(session, || {
+    let report = run_while(session, || {
         for key in HELD {
             ask(&Request::Press { key, newtons: 6.0 }).expect("pressed");
         }
@@ -281,9 +272,7 @@ fn changed_settings(scene: &Scene, file: &Path) {
 #[test]
 fn settings_that_change_while_keys_are_held_sound_no_note_and_make_no_step_of_force() {
     let file = folder("settings").join("a.mcap");
-    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load(&scene::Library::default(), "springs", &silent)
-        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = scene("springs", &[SILENT]);
     changed_settings(&scene, &file);
     let messages = messages(&file);
     let strike = |it: &Result<Update, String>| match it {
@@ -318,13 +307,9 @@ const PLAYED: std::ops::Range<u8> = 30..50;
 
 #[test]
 fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_load_falls() {
-    use host::control::{Folders, Reply, Request, RequestHandler, follow_load};
     let file = folder("overload").join("a.mcap");
-    let set = [("pianist.performance", "none"), ("overload.evaluations", "150")];
-    let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
-    let scene = Scene::load(&scene::Library::default(), "default", &set)
-        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
-    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let scene = scene("default", &[SILENT, ("overload.evaluations", "150")]);
+    let session = session(&scene);
     let recording = begin(&session, &file);
     let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
     let requests = std::sync::Arc::new(requests);
@@ -342,7 +327,7 @@ fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_lo
     let press = |newtons: f64| {
         PLAYED.map(|key| ask(&Request::Press { key, newtons })).all(|answer| answer.is_ok())
     };
-    let report = crate::common::run_while(session, || {
+    let report = run_while(session, || {
         let _load = follow_load(requests.clone()).expect("a thread");
         let mut newtons = 12.0;
         eventually("60 keys with a lower fidelity", || {
@@ -368,7 +353,7 @@ fn what_is_no_recording_of_a_whole_run_is_refused_in_a_sentence() {
     let nothing = replay(std::iter::empty(), |_| {}).expect_err("nothing");
     assert!(nothing.to_string().contains("no catalogue"));
     let file = folder("middle").join("a.mcap");
-    record(&scene(), FOUR_SECONDS, &file);
+    record(&ode_to_joy(), FOUR_SECONDS, &file);
     // Without its first second it begins in the middle of a run.
     let is_late = |message: &Result<Update, String>| match message {
         Ok(Update::Block(block)) => 1000 <= block.tick,

@@ -4,15 +4,13 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use host::control::{Folders, RequestHandler, StreamSink};
-use host::session::{RunOptions, RunSession};
-use scene::Scene;
+use host::control::{RequestHandler, StreamSink};
 use telemetry::request::Change;
 use telemetry::stream::protocol::{FromClient, FromServer, ParameterValue};
 use telemetry::stream::{Client, Dial, ServerSettings, StreamServer, serve};
 use telemetry::{Arrival, Request, Source as _, Topic, Update, event};
 
-use crate::common::run_while;
+use crate::common::{idle_host, run_while};
 use crate::stranger::Stranger;
 
 /// Maximum wait, for any machine: it only ends failed tests.
@@ -20,16 +18,7 @@ const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Runs an idle host, with `clients` who get the stream's address and the request handler.
 fn beside_a_host(clients: impl FnOnce(&str, &RequestHandler)) {
-    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene =
-        Scene::load(&scene::Library::default(), "springs", &silent).expect("a scene of ours");
-    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
-    let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .worker_threads(1)
-        .enable_all()
-        .build()
-        .expect("a runtime");
+    let (session, requests, runtime) = idle_host();
     let address = std::net::SocketAddr::from(([127, 0, 0, 1], 0));
     let server = {
         let _inside = runtime.enter();
