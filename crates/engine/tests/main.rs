@@ -1,3 +1,3 @@
 //! The loop on this machine's threads.
 
-mod realtime;
+mod budgets;

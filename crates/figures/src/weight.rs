@@ -185,20 +185,19 @@ mod tests {
 
     #[test]
     fn a_stiffer_spring_weighs_more_by_hookes_law_and_lifts_what_presses_it() {
-        let library = scene::Library::default();
-        let mut scene = Scene::load(&library, "springs", &[]).expect("a scene of ours");
+        let mut scene =
+            Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene of ours");
         let key = KeyIndex::new(39).expect("C4");
-        let model = library.find("spring", std::path::Path::new("")).expect("a model of ours");
+        let model =
+            scene.library.find("spring", std::path::Path::new("")).expect("a model of ours");
         let mut weighed = |stiffness: f64| {
-            let values = vec![stiffness];
-            scene.keys[39] = Some(KeyVoice { model: std::sync::Arc::clone(&model), values });
+            scene.keys[39] = Some(KeyVoice { model: model.clone(), values: vec![stiffness] });
             let weights = touch_weights(&scene, key).expect("a key").expect("it moves");
             (weights, VoiceBuilder::new(&scene).expect("a scene").rig().key.bottom_stop.position)
         };
         let [(soft, dip), (stiff, _)] = [100.0, 200.0].map(&mut weighed);
-        let more = [stiff.down - soft.down, stiff.up - soft.up];
         // The rig's bearing sticks and slips by 0.1 mm: 0.02 N of the stiff spring.
-        for (more, part) in more.into_iter().zip([0.443, 0.197]) {
+        for (more, part) in [(stiff.down - soft.down, 0.443), (stiff.up - soft.up, 0.197)] {
             assert!((more - 100.0 * part * dip).abs() < 0.02, "{more} N at {part} of the dip");
         }
     }
