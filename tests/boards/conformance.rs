@@ -156,8 +156,7 @@ fn boards_that_fail_or_whose_link_is_bad_break_items() {
     ];
     side_by_side(&folder, 4, &fates, |folder, (arguments, item)| {
         with_time(&format!("a board that breaks \"{item}\""), |watch| {
-            let boards = Boards::start(folder, 1, arguments);
-            watch.add(boards.task());
+            let boards = Boards::watched(watch, folder, 1, arguments);
             let [broken, _kept] = tested(watch, folder, &boards.links()[1], "arm");
             assert!(broken.iter().any(|it| it.contains(item)), "{arguments:?}: {broken:?}");
         });
@@ -169,8 +168,7 @@ fn a_key_is_muted_and_unmuted_and_the_board_says_so() {
     let _machine = part_of_machine();
     let folder = letoff::folder("board-health");
     with_time("the health of a board", |watch| {
-        let boards = Boards::start(&folder, 1, &[]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 1, &[]);
         let link = boards.links().remove(1);
         let asked = |more: &[&str]| {
             let all =
@@ -203,8 +201,7 @@ fn a_setting_is_written_to_one_board_and_holds_from_its_next_start() {
     let _machine = part_of_machine();
     let folder = letoff::folder("board-settings");
     with_time("the settings of a board", |watch| {
-        let boards = Boards::start(&folder, 2, &["--fate", "1@0.1:restart=0.1"]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 2, &["--fate", "1@0.1:restart=0.1"]);
         let links = boards.links();
         let of = |more: &[&str], links: &[String]| {
             let links = links.iter().map(String::as_str);

@@ -3,52 +3,40 @@
 
 use crate::letoff;
 use crate::machine_time::with_time;
-use crate::rig::{Boards, arguments, machine, part_of_machine, run_watched};
+use crate::rig::{Boards, arguments, machine, part_of_machine, run_watched, side_by_side};
 
-/// Asserts that the host rejects boards started with `boards`, in a sentence with all of `words`.
-#[track_caller]
-fn check(name: &str, count: usize, boards: &[&str], words: &[&str]) {
-    let _machine = part_of_machine();
-    let folder = letoff::folder(name);
-    let boards = Boards::start(&folder, count, boards);
-    let links = boards.links();
-    let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
-    assert_eq!(said.code, Some(1), "{said:?}");
-    letoff::check_words(&said, words);
-    for board in boards.stop() {
-        assert_eq!(board["counts"]["forces"], 0, "{board}");
-        assert_eq!(board["counts"]["armings"], 0, "{board}");
-    }
-}
+/// What a number of boards says wrongly, and the words of the refusal.
+type Lie = (usize, [&'static str; 2], &'static [&'static str]);
 
-#[test]
-fn another_generation_of_the_protocol() {
-    check(
-        "refused-major",
+const LIES: [Lie; 5] = [
+    // Another generation of the protocol.
+    (
         1,
-        &["--say-major", "9"],
+        ["--say-major", "9"],
         &["board 0 on", "links/board0", "speaks protocol 9, this host 2", "update the host"],
-    );
-}
+    ),
+    (1, ["--say-schema", "1"], &["board 0 on", "other cyclic layouts"]),
+    // One board behind two ports.
+    (2, ["--say-uid", "7"], &["are both board 070707070707"]),
+    (2, ["--say-keys", "0,11"], &["both carry A0"]),
+    (1, ["--say-keys", "80,12"], &["a board carries 1 to 12 keys"]),
+];
 
 #[test]
-fn other_cyclic_layouts() {
-    check("refused-schema", 1, &["--say-schema", "1"], &["board 0 on", "other cyclic layouts"]);
-}
-
-#[test]
-fn one_board_behind_two_ports() {
-    check("refused-twins", 2, &["--say-uid", "7"], &["are both board 070707070707"]);
-}
-
-#[test]
-fn keys_that_two_boards_carry() {
-    check("refused-shared", 2, &["--say-keys", "0,11"], &["both carry A0"]);
-}
-
-#[test]
-fn keys_that_no_board_can_carry() {
-    check("refused-keys", 1, &["--say-keys", "80,12"], &["a board carries 1 to 12 keys"]);
+fn boards_that_cannot_be_what_they_say_get_no_force() {
+    let _machine = part_of_machine();
+    side_by_side(&letoff::folder("refused-lies"), LIES.len(), &LIES, |folder, lie| {
+        let (count, boards, words) = lie;
+        let boards = Boards::start(folder, *count, boards);
+        let links = boards.links();
+        let said = letoff::run(folder, &arguments(&links, &["--performance", "none"]));
+        assert_eq!(said.code, Some(1), "{said:?}");
+        letoff::check_words(&said, words);
+        for board in boards.stop() {
+            assert_eq!(board["counts"]["forces"], 0, "{board}");
+            assert_eq!(board["counts"]["armings"], 0, "{board}");
+        }
+    });
 }
 
 #[test]
@@ -85,8 +73,7 @@ fn a_clock_that_runs_too_fast() {
     let _machine = part_of_machine();
     let folder = letoff::folder("refused-drift");
     with_time("the refusal of a clock that runs too fast", |watch| {
-        let boards = Boards::start(&folder, 1, &["--drift", "50000"]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 1, &["--drift", "50000"]);
         let links = boards.links();
         let said = run_watched(watch, &folder, &arguments(&links, &["--performance", "none"]));
         assert_eq!(said.code, Some(1), "{said:?}");
@@ -138,8 +125,7 @@ fn a_loop_that_is_too_late_for_its_instrument() {
     let _machine = machine();
     let folder = letoff::folder("refused-late");
     with_time("the refusal of a loop that is too late", |watch| {
-        let boards = Boards::start(&folder, 1, &["--late", "3"]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 1, &["--late", "3"]);
         let links = boards.links();
         let run = ["run", "--json", "--performance", "none", "--duration", "1"].into_iter();
         let grand: Vec<_> = run.chain(links.iter().map(String::as_str)).collect();

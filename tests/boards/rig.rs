@@ -61,6 +61,14 @@ impl Boards {
         boards
     }
 
+    /// Like [`Self::start`], watched for the time that it waits.
+    pub(crate) fn watched(watch: &WaitWatch, folder: &Path, count: usize, more: &[&str]) -> Self {
+        let boards = Self::start(folder, count, more);
+        watch.add(boards.task());
+        boards
+    }
+
+    /// Its threads.
     pub(crate) fn task(&self) -> Task {
         Task::process(self.child.as_ref().expect("they live"))
     }

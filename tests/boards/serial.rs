@@ -26,8 +26,7 @@ fn playing(watch: &WaitWatch, folder: &Path, links: &[String]) -> Guarded {
 }
 
 fn boards_of_a_killed_host(watch: &WaitWatch, folder: &Path) -> (Boards, Vec<String>) {
-    let boards = Boards::start(folder, 8, &[]);
-    watch.add(boards.task());
+    let boards = Boards::watched(watch, folder, 8, &[]);
     let links = boards.links();
     let mut host = playing(watch, folder, &links);
     host.kill().expect("it lives");
@@ -43,8 +42,7 @@ fn a_piece_is_played_over_eight_ports() {
     let _machine = machine();
     let folder = letoff::folder("boards-piece");
     judged_with_time("a piece over eight ports", |watch| {
-        let boards = Boards::start(&folder, 8, &[]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 8, &[]);
         let report = run(watch, &folder, &boards.links(), &["--duration", "8"]);
         let told = boards.stop();
         for board in &told {
@@ -76,8 +74,7 @@ fn bytes_that_are_lost_or_flipped_cost_frames_and_never_a_force() {
     let _machine = machine();
     let folder = letoff::folder("boards-noise");
     with_time("links with lost and flipped bytes", |watch| {
-        let boards = Boards::start(&folder, 2, &["--loss", "0.001", "--flip", "0.001"]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 2, &["--loss", "0.001", "--flip", "0.001"]);
         let report = run(watch, &folder, &boards.links(), &["--duration", "4"]);
         // A frame of 43 bytes is hit with a probability of 8 %.
         assert!(20 < count(&report, "/links/gaps"), "{report}");
@@ -129,8 +126,8 @@ fn a_board_that_dies_leaves_the_others_playing() {
     let folder = letoff::folder("boards-dies");
     // Board 0 plays nothing, boards 3 and 4 play much.
     judged_with_time("a board dies", |watch| {
-        let boards = Boards::start(&folder, 8, &["--fate", "0@3:die", "--fate", "7@3:mute=0.3"]);
-        watch.add(boards.task());
+        let boards =
+            Boards::watched(watch, &folder, 8, &["--fate", "0@3:die", "--fate", "7@3:mute=0.3"]);
         let report = run(watch, &folder, &boards.links(), &["--duration", "8"]);
         let told = boards.stop();
         if !had_time(&report, &told) {
@@ -156,8 +153,7 @@ fn a_board_that_is_stopped_stays_stopped() {
     let _machine = machine();
     let folder = letoff::folder("boards-fault");
     with_time("a board whose key fails", |watch| {
-        let boards = Boards::start(&folder, 2, &["--fate", "1@1:key-fault"]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 2, &["--fate", "1@1:key-fault"]);
         let links = boards.links();
         let more = ["--duration", "4", "--performance", "none"];
         let said = run_watched(watch, &folder, &arguments(&links, &more));
@@ -184,8 +180,7 @@ fn a_clock_that_runs_backwards_is_noticed_and_learned_anew() {
     let folder = letoff::folder("boards-clock");
     with_time("a clock that runs backwards", |watch| {
         let fates = ["--fate", "0@1.5:backwards=2", "--drift", "5000"];
-        let boards = Boards::start(&folder, 1, &fates);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 1, &fates);
         let more = ["--duration", "5", "--performance", "none"];
         let report = run(watch, &folder, &boards.links(), &more);
         let board = &report["boards"][0];
@@ -202,8 +197,7 @@ fn a_board_that_starts_anew_is_armed_again() {
     let _machine = machine();
     let folder = letoff::folder("boards-restart");
     with_time("a board that starts again", |watch| {
-        let boards = Boards::start(&folder, 2, &["--fate", "1@1.5:restart=0.5"]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 2, &["--fate", "1@1.5:restart=0.5"]);
         let more = ["--duration", "5", "--performance", "none"];
         let report = run(watch, &folder, &boards.links(), &more);
         assert_eq!(report["boards"][1]["state"], "armed", "{report}");
@@ -217,8 +211,7 @@ fn an_emergency_stop_takes_every_force_away_and_is_latched() {
     let _machine = machine();
     let folder = letoff::folder("boards-stop");
     with_time("an emergency stop", |watch| {
-        let boards = Boards::start(&folder, 2, &[]);
-        watch.add(boards.task());
+        let boards = Boards::watched(watch, &folder, 2, &[]);
         let links = boards.links();
         let host = playing(watch, &folder, &links);
         let said = run_watched(watch, &folder, &["stop"]);
