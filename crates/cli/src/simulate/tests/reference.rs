@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::{Columns, Folder, simulate};
 
-const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/tests/reference");
+const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../instruments/tests/reference");
 
 fn number(value: &Value) -> f64 {
     value
