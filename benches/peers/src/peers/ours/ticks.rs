@@ -1,7 +1,7 @@
 //! The tick of a key, repeated: `Simulator::advance` with a stepper.
 
 use pode::stepper::Stepper;
-use pode::{Advance, Event, EventCause, Limits, Model, Piece, Resets, Signal, Simulator, Watch};
+use pode::{Advance, Event, EventCause, Guarded, Limits, Piece, Resets, Signal, Simulator, Watch};
 
 use super::{Driven, Ours};
 use crate::log::Log;
@@ -34,7 +34,7 @@ struct Scribe<'a, const INSIDE: bool> {
 
 impl<const N: usize, const INSIDE: bool, M> Watch<M> for Scribe<'_, INSIDE>
 where
-    M: Model<State = [f64; N]>,
+    M: Guarded<State = [f64; N]>,
 {
     const LOOKS_INSIDE: bool = INSIDE;
 
