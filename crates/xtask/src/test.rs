@@ -128,7 +128,7 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
 fn machines(program: &Path) -> Vec<Stage> {
     let chore = |name, chore| Stage { name, work: StageWork::Chore(chore), skipped: None };
     vec![
-        cargo_stage("the programs", &["build", "--workspace", "--bins"], program),
+        cargo_stage("the programs", &test(&["--workspace", "--all-targets", "--no-run"]), program),
         cargo_stage("firmware on a Cortex-M3 (QEMU)", &test(&FIRMWARE), program),
         cargo_stage("the host with eight of them", &test(&WITH_FIRMWARE), program),
         chore("boards in a Debian kernel (QEMU)", || {
