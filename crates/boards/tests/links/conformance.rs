@@ -1,5 +1,6 @@
 //! The checklist for every link. A new link adds one `#[test]`.
 #![cfg(unix)]
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::io::Write as _;
 

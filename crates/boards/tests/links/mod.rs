@@ -1,4 +1,3 @@
 mod can;
-mod conformance;
 mod faulty;
 mod serial_pty;

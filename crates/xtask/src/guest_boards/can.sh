@@ -208,16 +208,16 @@ load() {
 		"$(links load); $(grep 'vcan1@1000000' load.bus | tail -n 1)"
 }
 
-# The hardware crate's own tests of links.
+# The boards crate's own tests of links.
 conformance() {
 	# Its name ends with a number of cargo's.
 	for program in /bin/conformance*; do
 		if [ ! -x "$program" ]; then
-			verdict conformance "the hardware crate's tests of links" 1 "they were not built"
+			verdict conformance "the boards crate's tests of links" 1 "they were not built"
 			return
 		fi
 	done
 	LETOFF_CAN=vcan0 "$program" >conformance.out 2>&1
-	verdict conformance "the hardware crate's tests of links on this interface" $? \
+	verdict conformance "the boards crate's tests of links on this interface" $? \
 		"$(grep '^test result' conformance.out)"
 }
