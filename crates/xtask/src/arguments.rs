@@ -193,6 +193,9 @@ fn test(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
         None => TestScope::ThisMachine,
         Some(argument) if is_help(&argument) => return Ok(Task::Help),
         Some(argument) if argument == "--machines" => TestScope::EmulatedMachines,
+        Some(argument) if argument.as_encoded_bytes().starts_with(b"-") => {
+            return Err(refused(&argument));
+        }
         Some(argument) => {
             let name = argument.into_string().map_err(|argument| refused(&argument))?;
             TestScope::Crate { name, filters: arguments.by_ref().collect() }
@@ -300,7 +303,8 @@ mod tests {
     fn what_is_not_understood_is_named() {
         check_refused("tset", "tset");
         check_refused("demo --duration 5", "--duration");
-        check_refused("test host", "host");
+        check_refused("test --host", "--host");
+        check_refused("test --machines host", "host");
         check_refused("dist release", "release");
         check_refused("dist --profile", "--profile");
         check_refused("guest-boards --fast", "--fast");

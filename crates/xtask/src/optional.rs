@@ -6,6 +6,7 @@ use crate::apt;
 use crate::command;
 use crate::guest_boards;
 use crate::needs::has_program;
+use crate::test::TestScope;
 use crate::tools::{self, Tool};
 
 /// Tools for firmware on an emulated microcontroller.
@@ -18,31 +19,34 @@ const FIRMWARE: [Tool; 3] = [
 /// Tool for the system calls of a tick.
 const TRACER: [Tool; 1] = [("strace", "strace")];
 
+/// Tools of all tests on emulated machines.
+const MACHINES: [&[Tool]; 3] = [&FIRMWARE, &tools::MAKERS, &guest_boards::PROGRAMS];
+
 const TARGET: &str = "thumbv7m-none-eabi";
 
-/// Installs what is possible, and reports the rest.
-pub(crate) fn install() {
+/// Installs what is possible for the tests of `scope`, and reports the rest.
+pub(crate) fn install(scope: &TestScope) {
     if !cfg!(target_os = "linux") {
         return;
     }
-    let packages = packages(|it| tools::find(it).is_some());
+    let wanted: &[&[Tool]] = match scope {
+        TestScope::ThisMachine => &[&TRACER],
+        TestScope::EmulatedMachines => &MACHINES,
+        TestScope::Crate { .. } => return,
+    };
+    let packages = tools::packages(wanted, |it| tools::find(it).is_some());
     if !packages.is_empty() {
         println!("installing what some tests need: {}", packages.join(" "));
         if let Err(error) = apt::install(&packages) {
             println!("{error}; the tests that need it are skipped");
         }
     }
-    if has_program("rustup") {
+    if *scope == TestScope::EmulatedMachines && has_program("rustup") {
         let mut add = Command::new("rustup");
         if command::run(add.args(["target", "add", TARGET])).is_err() {
             println!("the tests for {TARGET} are skipped");
         }
     }
-}
-
-/// Returns the missing packages, for one call of apt.
-fn packages(is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
-    tools::packages(&[&FIRMWARE, &TRACER, &tools::MAKERS, &guest_boards::PROGRAMS], is_there)
 }
 
 #[cfg(test)]
@@ -51,11 +55,10 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_installed_in_one_call() {
-        assert!(packages(|_| true).is_empty());
-        let is_there =
-            |it: &str| !["qemu", "strace", "/"].iter().any(|lacks| it.starts_with(lacks));
-        let packages = packages(is_there);
-        let expected = ["libnewlib-arm-none-eabi", "qemu-system-arm", "qemu-system-x86", "strace"];
-        assert_eq!(packages, expected);
+        assert!(tools::packages(&MACHINES, |_| true).is_empty());
+        let is_there = |it: &str| !["qemu", "/"].iter().any(|lacks| it.starts_with(lacks));
+        let expected = ["libnewlib-arm-none-eabi", "qemu-system-arm", "qemu-system-x86"];
+        assert_eq!(tools::packages(&MACHINES, is_there), expected);
+        assert_eq!(tools::packages(&[&TRACER], |_| false), ["strace"]);
     }
 }
