@@ -98,3 +98,8 @@ pub use watch::{Event, EventCause, Piece, Silent, Watch};
 #[cfg(all(doctest, feature = "std"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// Examples of the guide, as tests.
+#[cfg(all(doctest, feature = "std"))]
+#[doc = include_str!("../GUIDE.md")]
+struct Guide;
