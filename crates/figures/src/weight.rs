@@ -6,7 +6,7 @@ use engine::voice::VoiceBuilder;
 use haptics::HandCommand;
 use keyboard::KeyIndex;
 use midi::Velocity;
-use scene::{KeyVoice, Scene};
+use scene::Scene;
 use scheduler::motion::KeyEvent;
 
 use crate::rehearsal::{RehearsalError, RehearsedKey};
@@ -55,9 +55,7 @@ pub enum WeightError {
 /// If the key has no voice, or the largest weight is too small.
 pub fn weight_for(scene: &Scene, key: KeyIndex, velocity: Velocity) -> Result<f64, WeightError> {
     let builder = VoiceBuilder::new(scene).map_err(RehearsalError::from)?;
-    let voice = scene.keys.get(key.index()).and_then(Option::as_ref);
-    let voice = voice.ok_or(WeightError::NoVoice(key))?;
-    let still = still(&builder, key, voice)?;
+    let still = still(&builder, scene, key)?;
     let heard = |newtons| {
         let speed = hammer_speed(still.clone(), newtons);
         speed.map_or(0, |speed| scene.midi.curve.velocity(speed).get())
@@ -98,8 +96,7 @@ impl fmt::Display for TouchWeights {
 /// there until it returns to 2 mm: before the damper and the let-off, as technicians measure.
 pub fn touch_weights(scene: &Scene, key: KeyIndex) -> Result<Option<TouchWeights>, WeightError> {
     let builder = VoiceBuilder::new(scene).map_err(RehearsalError::from)?;
-    let voice = scene.keys.get(key.index()).and_then(Option::as_ref);
-    let mut still = still(&builder, key, voice.ok_or(WeightError::NoVoice(key))?)?;
+    let mut still = still(&builder, scene, key)?;
     let [high, low] = WEIGHED.map(|part| part * builder.rig().key.bottom_stop.position);
     let down = weighed(&mut still, (0.0, MOST_WEIGHED), |at| low < at);
     let up = down.and_then(|down| weighed(&mut still, (down, 0.0), |at| at < high));
@@ -127,11 +124,14 @@ fn weighed(
     }
 }
 
+/// Returns a key of `scene` that has come to rest.
 fn still(
     builder: &VoiceBuilder<'_>,
+    scene: &Scene,
     key: KeyIndex,
-    voice: &KeyVoice,
-) -> Result<RehearsedKey, RehearsalError> {
+) -> Result<RehearsedKey, WeightError> {
+    let voice = scene.keys.get(key.index()).and_then(Option::as_ref);
+    let voice = voice.ok_or(WeightError::NoVoice(key))?;
     let mut rehearsed = RehearsedKey::of_scene(builder, key.index(), voice)?;
     while rehearsed.now() < STILL {
         rehearsed.step();
@@ -166,9 +166,8 @@ mod tests {
             Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene of ours");
         let builder = VoiceBuilder::new(&scene).expect("a scene of ours");
         let key = KeyIndex::new(39).expect("C4");
-        let voice = scene.keys[39].as_ref().expect("a voice");
         let heard = |newtons| {
-            let still = still(&builder, key, voice).expect("a key");
+            let still = still(&builder, &scene, key).expect("a key");
             hammer_speed(still, newtons).map_or(0, |it| scene.midi.curve.velocity(it).get())
         };
         let mut last = 0.0;
@@ -191,7 +190,8 @@ mod tests {
         let model =
             scene.library.find("spring", std::path::Path::new("")).expect("a model of ours");
         let mut weighed = |stiffness: f64| {
-            scene.keys[39] = Some(KeyVoice { model: model.clone(), values: vec![stiffness] });
+            scene.keys[39] =
+                Some(scene::KeyVoice { model: model.clone(), values: vec![stiffness] });
             let weights = touch_weights(&scene, key).expect("a key").expect("it moves");
             (weights, VoiceBuilder::new(&scene).expect("a scene").rig().key.bottom_stop.position)
         };
