@@ -387,7 +387,7 @@ fn an_address_that_is_taken_may_be_free_later() {
     folder.refuses(&usual, 1, &["cannot listen", "127.0.0.1:8765"]);
 }
 
-/// User id of `nobody`.
+/// Unix user id of the account `nobody`.
 const NOBODY: u32 = 65_534;
 
 /// Variable with the host that the process of [`the_other_user`] attacks.

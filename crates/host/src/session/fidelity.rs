@@ -15,7 +15,7 @@ use crate::report::{ChosenFidelity, RefusedFidelity};
 
 /// One of so many neighbouring keys is timed.
 const SAMPLED: usize = 11;
-/// Rounds of which the shortest counts, since others were disturbed.
+/// Number of rounds. The shortest one counts, because the machine may disturb the others.
 const ROUNDS: u64 = 3;
 /// Length of a round (s), in which the key goes down and up once.
 const ROUND: f64 = 0.35;

@@ -1,7 +1,7 @@
 //! A simulated board: its keys behind one link, as complete as a real one.
 //!
-//! It has its own ticks, in each of which it computes its motors' forces; at every n-th it sends
-//! samples. It answers requests (`requests`), and accepts forces only when it is armed
+//! The board has its own ticks. It computes the forces of its motors in each tick, and sends samples
+//! in every n-th one. It answers requests (`requests`), and accepts forces only when it is armed
 //! (`force_interlock`), as answers to recent samples (`sample_history`) or with a time of the bus
 //! (`multicast`).
 
