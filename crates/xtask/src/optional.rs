@@ -6,7 +6,6 @@ use crate::apt;
 use crate::command;
 use crate::guest_boards;
 use crate::needs::has_program;
-use crate::test::TestScope;
 use crate::tools::{self, Tool};
 
 /// Tools for firmware on an emulated microcontroller.
@@ -24,28 +23,31 @@ const MACHINES: [&[Tool]; 3] = [&FIRMWARE, &tools::MAKERS, &guest_boards::PROGRA
 
 const TARGET: &str = "thumbv7m-none-eabi";
 
-/// Installs what is possible for the tests of `scope`, and reports the rest.
-pub(crate) fn install(scope: &TestScope) {
-    if !cfg!(target_os = "linux") {
-        return;
-    }
-    let wanted: &[&[Tool]] = match scope {
-        TestScope::ThisMachine => &[&TRACER],
-        TestScope::EmulatedMachines => &MACHINES,
-        TestScope::Crate { .. } => return,
-    };
-    let packages = tools::packages(wanted, |it| tools::find(it).is_some());
-    if !packages.is_empty() {
-        println!("installing what some tests need: {}", packages.join(" "));
-        if let Err(error) = apt::install(&packages) {
-            println!("{error}; the tests that need it are skipped");
-        }
-    }
-    if *scope == TestScope::EmulatedMachines && has_program("rustup") {
+/// Installs what the tests without emulated machines use.
+pub(crate) fn install() {
+    install_tools(&[&TRACER]);
+}
+
+/// Installs what the tests on emulated machines use.
+pub(crate) fn install_machines() {
+    install_tools(&MACHINES);
+    if cfg!(target_os = "linux") && has_program("rustup") {
         let mut add = Command::new("rustup");
         if command::run(add.args(["target", "add", TARGET])).is_err() {
             println!("the tests for {TARGET} are skipped");
         }
+    }
+}
+
+/// Installs what is possible, and reports the rest.
+fn install_tools(wanted: &[&[Tool]]) {
+    let packages = tools::packages(wanted, |it| tools::find(it).is_some());
+    if !cfg!(target_os = "linux") || packages.is_empty() {
+        return;
+    }
+    println!("installing what some tests need: {}", packages.join(" "));
+    if let Err(error) = apt::install(&packages) {
+        println!("{error}; the tests that need it are skipped");
     }
 }
 

@@ -56,11 +56,16 @@ pub(crate) enum TestScope {
 
 pub(crate) fn run(scope: TestScope) -> Result<(), Error> {
     apt::install_missing()?;
-    optional::install(&scope);
     let program = target()?.join("debug").join(format!("letoff{}", std::env::consts::EXE_SUFFIX));
     stage::run_all(match scope {
-        TestScope::ThisMachine => stages(&program, (!has_bare_target()).then_some(NOT_INSTALLED)),
-        TestScope::EmulatedMachines => machines(&program),
+        TestScope::ThisMachine => {
+            optional::install();
+            stages(&program, (!has_bare_target()).then_some(NOT_INSTALLED))
+        }
+        TestScope::EmulatedMachines => {
+            optional::install_machines();
+            machines(&program)
+        }
         TestScope::Crate { name, filters } => vec![of_crate(&name, filters)?],
     })
 }
