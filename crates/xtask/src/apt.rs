@@ -68,12 +68,10 @@ fn is_root() -> bool {
     Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout.trim_ascii() == b"0")
 }
 
-/// Returns `true` if the package lists offer `package`.
 fn is_known(package: &str) -> bool {
     succeeds("apt-cache", &["show", "--no-all-versions", package])
 }
 
-/// Returns `apt-get` without questions.
 fn apt_get(prefix: &[&str], arguments: &[&str]) -> Command {
     let fixed = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-q", "-o", LOCK_TIMEOUT];
     let mut all = prefix.iter().chain(&fixed).chain(arguments);

@@ -187,7 +187,6 @@ fn with_flag(
     Ok(task)
 }
 
-/// Reads what follows `test`.
 fn test(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
     let scope = match arguments.next() {
         None => TestScope::ThisMachine,

@@ -48,7 +48,6 @@ pub(crate) fn words(command: &Command) -> String {
     all.join(" ")
 }
 
-/// Prints and runs the command.
 pub(crate) fn run(command: &mut Command) -> Result<(), Error> {
     println!("$ {}", words(command));
     match command.status() {

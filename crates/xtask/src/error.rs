@@ -35,12 +35,10 @@ pub(crate) enum Error {
 }
 
 impl Error {
-    /// Reports that `what` cannot be had.
     pub(crate) fn unobtainable(what: impl Into<String>, because: impl Into<String>) -> Self {
         Self::Unobtainable { what: what.into(), because: because.into() }
     }
 
-    /// Reports a failed access to the file or folder at `path`.
     pub(crate) fn file(path: impl Into<PathBuf>, cause: io::Error) -> Self {
         Self::File { path: path.into(), cause }
     }

@@ -13,7 +13,6 @@ pub(crate) fn empty(folder: &Path) -> Result<(), Error> {
     make(folder)
 }
 
-/// Creates `folder` and its parents.
 pub(crate) fn make(folder: &Path) -> Result<(), Error> {
     fs::create_dir_all(folder).map_err(|cause| Error::file(folder, cause))
 }

@@ -60,7 +60,6 @@ pub(crate) fn packages(needs: &[Need]) -> Vec<&'static str> {
     needs.iter().flat_map(|need| need.packages()).copied().collect()
 }
 
-/// Returns `true` if `name` is on the path.
 pub(crate) fn has_program(name: &str) -> bool {
     let path = env::var_os("PATH").unwrap_or_default();
     env::split_paths(&path).any(|folder| folder.join(name).is_file())

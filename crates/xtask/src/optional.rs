@@ -39,7 +39,6 @@ pub(crate) fn install_machines() {
     }
 }
 
-/// Installs what is possible, and reports the rest.
 fn install_tools(wanted: &[&[Tool]]) {
     let packages = tools::packages(wanted, |it| tools::find(it).is_some());
     if !cfg!(target_os = "linux") || packages.is_empty() {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
+use crate::apt;
 use crate::command::{self, cargo, root};
 use crate::error::Error;
 use crate::peers;
@@ -21,6 +22,7 @@ const REQUIREMENTS: &str = "crates/mechanism/tests/kane/oracle/requirements.txt"
 const SHORT: &str = "6";
 
 pub(crate) fn run() -> Result<(), Error> {
+    apt::install_missing()?;
     command::run(&mut compare(&python()?))
 }
 

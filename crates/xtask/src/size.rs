@@ -157,14 +157,12 @@ fn product_lines(text: &str) -> Vec<&str> {
     lines
 }
 
-/// Returns `true` if the next item is compiled for tests only.
 fn is_for_tests(line: &str) -> bool {
     let mut words = line.split(|it: char| !it.is_alphanumeric());
     let names_tests = words.any(|word| word == "test") && !line.contains("not(test)");
     line.trim_start().starts_with("#[cfg(") && names_tests
 }
 
-/// Returns `true` for an attribute or a comment of the next item.
 fn is_about_next(line: &str) -> bool {
     line.trim_start().starts_with("#[") || line.trim_start().starts_with("//")
 }

@@ -27,7 +27,6 @@ pub(crate) enum StageWork {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Done {
     All,
-    /// Skipped, with the reason.
     Skipped(String),
 }
 
@@ -78,7 +77,6 @@ pub(crate) fn run_all(stages: Vec<Stage>) -> Result<(), Error> {
     result
 }
 
-/// Runs one stage, and prints its time.
 fn run(stage: &mut Stage) -> Result<Done, Error> {
     println!("\n== {}", stage.name);
     let start = Instant::now();

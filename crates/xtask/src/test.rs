@@ -70,10 +70,8 @@ pub(crate) fn run(scope: TestScope) -> Result<(), Error> {
     })
 }
 
-/// The stage with the tests of one crate.
-///
-/// Cargo compiles dependencies once for each set of features. With the package `letoff`, which
-/// depends on all crates in its tests, the set is the same for each crate.
+/// The stage with the tests of one crate. Cargo compiles dependencies once for each set of
+/// features. With the package `letoff` the set is the same for each crate.
 fn of_crate(name: &str, filters: Vec<OsString>) -> Result<Stage, Error> {
     let folder = match name {
         "firmware-protocol" => root().join(name),
@@ -91,7 +89,6 @@ fn of_crate(name: &str, filters: Vec<OsString>) -> Result<Stage, Error> {
     Ok(Stage { name: "the tests of one crate", work: StageWork::Command(command), skipped: None })
 }
 
-/// A stage that runs cargo, for tests of `program`.
 fn cargo_stage(name: &'static str, arguments: &[&str], program: &Path) -> Stage {
     let mut command = cargo(arguments);
     command.env(SEED_NAME, std::env::var_os(SEED_NAME).unwrap_or_else(|| SEED.into()));
@@ -100,10 +97,8 @@ fn cargo_stage(name: &'static str, arguments: &[&str], program: &Path) -> Stage 
 }
 
 /// Returns the stages without emulated machines, for tests of `program`; `no_bare_target` is the
-/// reason to skip the stage for the bare target.
-///
-/// All stages select the whole workspace, since Cargo compiles dependencies once per set of
-/// features: later stages reuse the build.
+/// reason to skip the stage for the bare target. All stages select the whole workspace, since Cargo
+/// compiles dependencies once per set of features: later stages reuse the build.
 fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
     let stage = |name, arguments: &[&str]| {
         let mut stage = cargo_stage(name, arguments, program);
@@ -155,7 +150,6 @@ fn test<'a>(which: &[&'a str]) -> Vec<&'a str> {
     ["test", "--no-fail-fast"].iter().chain(which).copied().collect()
 }
 
-/// Returns `true` if the compiler has the bare target's `core`.
 fn has_bare_target() -> bool {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output =

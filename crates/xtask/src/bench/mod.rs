@@ -35,9 +35,7 @@ const BASELINE: &str = "benches/baseline.toml";
 /// Use of the measurements.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum BaselineUse {
-    /// Report the benches that got slower.
     Compare,
-    /// Store as the baseline.
     Write,
 }
 

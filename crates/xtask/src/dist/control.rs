@@ -68,14 +68,12 @@ pub(super) fn changelog(date: &str) -> String {
     )
 }
 
-/// Returns Debian's name of this machine's processor.
 pub(super) fn architecture() -> Result<String, Error> {
     command::answer(Command::new("dpkg").arg("--print-architecture"))
 }
 
-/// Returns the packages that `programs` are linked with, with their versions.
-///
-/// `dpkg-shlibdeps` needs a source package: `folder` gets a stub.
+/// Returns the packages that `programs` are linked with, with their versions. `dpkg-shlibdeps`
+/// needs a source package: `folder` gets a stub.
 pub(super) fn linked_packages(folder: &Path, programs: &[PathBuf]) -> Result<String, Error> {
     files::empty(&folder.join("debian"))?;
     files::write(&folder.join("debian/control"), STUB)?;

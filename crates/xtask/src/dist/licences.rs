@@ -30,7 +30,6 @@ struct LinkedCrate {
     version: String,
     /// SPDX expression of the licence.
     licence: String,
-    /// Address of the source text.
     address: String,
 }
 
@@ -102,7 +101,6 @@ fn linked() -> Result<Vec<LinkedCrate>, Error> {
     Ok(crates)
 }
 
-/// Returns the licences of `deny.toml`.
 fn accepted() -> Result<Vec<String>, Error> {
     Ok(deny::list("allow")?.into_iter().flatten().collect())
 }
@@ -123,7 +121,6 @@ fn folders(metadata: &str) -> BTreeMap<String, PathBuf> {
     named.collect()
 }
 
-/// Returns the files of a crate with texts of licences.
 fn texts_in(folder: &Path) -> Vec<PathBuf> {
     let all = FOLDERS.iter().filter_map(|name| files::list(&folder.join(name)).ok()).flatten();
     let has_text = |path: &PathBuf| {

@@ -59,7 +59,6 @@ pub(crate) fn make(profile: &str) -> Result<PathBuf, Error> {
     pack(&folder, &root)
 }
 
-/// Returns the folder in `target` for `profile`.
 fn folder_of(profile: &str) -> &str {
     if profile == "dev" { "debug" } else { profile }
 }

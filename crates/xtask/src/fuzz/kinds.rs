@@ -10,7 +10,6 @@ use crate::files;
 
 pub(super) struct FuzzKind {
     pub(super) name: &'static str,
-    /// Ending of the file names.
     pub(super) ending: &'static str,
     /// Commands that read a file called FILE; each damaged file is given to one of them.
     pub(super) commands: &'static [&'static str],

@@ -86,7 +86,6 @@ pub(crate) fn run(options: &FuzzOptions) -> Result<(), Error> {
     if failed == 0 { Ok(()) } else { Err(Error::Fuzz { failed, folder }) }
 }
 
-/// Builds the program in its release profile.
 fn build() -> Result<PathBuf, Error> {
     command::run(&mut cargo(["build", "--release", "--package", "cli", "--bin", "letoff"]))?;
     Ok(target()?.join("release/letoff"))

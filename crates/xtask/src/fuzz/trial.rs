@@ -44,7 +44,6 @@ impl FuzzTrial {
         })
     }
 
-    /// Describes the failure of the run, if any.
     pub(super) fn failure(&self) -> Option<String> {
         let aloud = ["panicked at", "overflowed its stack", "memory allocation of"];
         let code = self.code.unwrap_or(-1);

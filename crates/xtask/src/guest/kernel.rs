@@ -106,7 +106,6 @@ fn link(_folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Finds the kernel that was unpacked into `folder`.
 fn find(folder: &Path) -> Result<Kernel, Error> {
     let images = files::list(&folder.join("boot"))?.into_iter();
     let is_image = |path: &PathBuf| {

@@ -17,11 +17,9 @@ impl GuestSystem {
         }
     }
 
-    /// Returns QEMU's arguments beyond the common ones.
-    ///
-    /// Guest time is executed instructions, 1 ns each, and waiting: a busy machine makes the guest
-    /// slow but not late. With everything in memory nothing really waits; reading files of this
-    /// machine does, and so must everything else.
+    /// Returns QEMU's arguments beyond the common ones. Guest time is executed instructions, 1 ns
+    /// each, and waiting: a busy machine makes the guest slow but not late. With everything in
+    /// memory nothing really waits; reading files of this machine does, and so must all else.
     pub(super) const fn machine(self) -> &'static str {
         match self {
             Self::Busybox => "-icount shift=0,sleep=off",

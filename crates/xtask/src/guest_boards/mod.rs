@@ -29,7 +29,6 @@ const MODULES: [&str; 7] =
 pub(crate) enum CheckScope {
     /// Checks of every change.
     Short,
-    /// All checks, for longer.
     Full,
 }
 

@@ -39,7 +39,7 @@ fn compare(python: OsString, program: &str, cases: &[Value]) {
     let file = folder.join(program).with_extension("json");
     let text = serde_json::to_string_pretty(cases).expect("JSON");
     std::fs::write(&file, text).expect("written");
-    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracle").join(program);
+    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kane/oracle").join(program);
     let output = Command::new(python).arg(program).arg(&file).output().expect("Python");
     println!("{}", String::from_utf8_lossy(&output.stdout));
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
