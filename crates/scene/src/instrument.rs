@@ -7,6 +7,7 @@ use keyboard::KeyRange;
 use serde::Serialize;
 use toml_edit::{DocumentMut, Item};
 
+use super::based::Based;
 use super::embedded::INSTRUMENTS;
 use super::fidelity::{Fidelity, read_levels};
 use super::figures;
@@ -15,9 +16,9 @@ use super::needs::Needs;
 use super::quantity::Quantity;
 use super::read::TableReader;
 use super::source::{SourceError, SourceText, refuse};
-use super::voicing::Voicing;
-use documents::Diagnostics;
+use super::voicing::{InstrumentFile, Voicing};
 use documents::toml::FindingList;
+use documents::{Diagnostics, quoted};
 
 /// Number of a General MIDI program, counted from one as in its tables.
 const PROGRAM: Quantity = Quantity { unit: "", range: (1.0, 128.0) };
@@ -40,6 +41,8 @@ pub struct Instrument {
     /// first.
     pub levels: Vec<(Fidelity, String)>,
     pub voicing: Voicing,
+    /// Instrument that this one was made from, if its file names one.
+    pub based: Option<Based>,
 }
 
 impl Instrument {
@@ -112,6 +115,19 @@ impl Instrument {
     }
 
     pub(super) fn check(library: &Library, source: &SourceText) -> Result<Self, Diagnostics> {
+        Self::check_as(library, source, BaseUse::Allowed)
+    }
+
+    /// Like `check`, for an instrument that others are based on, which has no base itself.
+    pub(super) fn check_base(library: &Library, source: &SourceText) -> Result<Self, Diagnostics> {
+        Self::check_as(library, source, BaseUse::Refused)
+    }
+
+    fn check_as(
+        library: &Library,
+        source: &SourceText,
+        base_use: BaseUse,
+    ) -> Result<Self, Diagnostics> {
         if describes_model(source) {
             let message = "this is the description of a model, not an instrument".to_owned();
             let help = "name it in an instrument: model = \"…\"".to_owned();
@@ -120,20 +136,35 @@ impl Instrument {
         let (mut report, root) = source.parsed(&[]);
         let read = root.and_then(|root| {
             let mut reader = TableReader::new(&mut report, &source.name, &root)?;
-            let instrument = Self::read(&mut report, &mut reader, (&source.name, library));
+            let subject = (source.name.as_str(), library);
+            let instrument = Self::read(&mut report, &mut reader, subject, base_use);
             reader.finish(&mut report);
             instrument
         });
-        report.verdict(read)
+        let mut instrument = report.verdict(read)?;
+        let (name, path) = (source.name.clone(), source.file.clone());
+        let file = (!source.is_embedded).then(|| Arc::new(InstrumentFile { name, path }));
+        instrument.voicing.file = file;
+        Ok(instrument)
     }
 
     fn read(
         report: &mut FindingList,
         reader: &mut TableReader<'_>,
         (name, library): (&str, &Library),
+        base_use: BaseUse,
     ) -> Option<Self> {
         let title = reader.text(report, "title").map_or_else(|| name.to_owned(), |(t, _)| t);
         let doc = reader.text(report, "doc").map_or_else(String::new, |(doc, _)| doc);
+        if let Some((base, place)) = reader.text(report, "base") {
+            if base_use == BaseUse::Refused {
+                let message = "the base of an instrument has a base itself";
+                report.say(place, message, format!("name {} instead", quoted(&base)));
+                return None;
+            }
+            let edited = Self::read_edited(report, reader, (&base, place), library)?;
+            return Some(Self { name: name.to_owned(), title, doc, ..edited });
+        }
         if reader.take("model").is_none() {
             report.miss(reader.place, "the instrument has no model", "add model = \"…\"");
         }
@@ -148,8 +179,26 @@ impl Instrument {
         };
         voicing.read_parameters(report, reader);
         voicing.refuse_unmet(report, reader.place, KeyRange::ALL);
-        Some(Self { name: name.to_owned(), title, doc, needs, figures, program, levels, voicing })
+        let based = None;
+        Some(Self {
+            name: name.to_owned(),
+            title,
+            doc,
+            needs,
+            figures,
+            program,
+            levels,
+            voicing,
+            based,
+        })
     }
+}
+
+/// Use of `base` in an instrument's file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum BaseUse {
+    Allowed,
+    Refused,
 }
 
 /// Returns the embedded instrument with `model` and `preset`; without a match, or if no preset is

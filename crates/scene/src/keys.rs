@@ -10,7 +10,7 @@ use super::kind::describes_model;
 use super::needs::{LoopSettings, Unmet};
 use super::read::{self, TableReader};
 use super::source::{SourceError, SourceText};
-use super::voicing::Voicing;
+use super::voicing::{InstrumentFile, Voicing};
 use documents::quoted;
 use documents::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
 use mechanism::Library;
@@ -21,11 +21,14 @@ pub struct KeyVoice {
     pub model: Arc<LoadedModel>,
     /// One value per parameter of the model, in its unit.
     pub values: Vec<f64>,
+    /// File of the instrument, if it is no part of the program.
+    pub file: Option<Arc<InstrumentFile>>,
 }
 
 impl KeyVoice {
     pub fn new(voicing: &Voicing, key: u8) -> Self {
-        Self { model: Arc::clone(&voicing.model), values: voicing.values(key) }
+        let (model, file) = (Arc::clone(&voicing.model), voicing.file.clone());
+        Self { model, values: voicing.values(key), file }
     }
 }
 

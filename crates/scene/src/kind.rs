@@ -11,8 +11,21 @@ use documents::toml::{SourcePlace, TomlNode};
 const SCENE: [&str; 10] =
     ["tick_hz", "lanes", "realtime", "budget", "render", "rig", "keys", "links", "midi", "pianist"];
 
-const INSTRUMENT: [&str; 9] =
-    ["doc", "model", "preset", "offline", "stable", "parameters", "figures", "fidelity", "program"];
+// A description has a base, too: that name alone decides for a description.
+const INSTRUMENT: [&str; 12] = [
+    "base_hash",
+    "base_values",
+    "differences",
+    "doc",
+    "model",
+    "preset",
+    "offline",
+    "stable",
+    "parameters",
+    "figures",
+    "fidelity",
+    "program",
+];
 
 const DESCRIPTION: [&str; 23] = [
     "base",

@@ -10,6 +10,7 @@
 //! |---|---|
 //! | `scene`, `render`, `realtime`, `rig`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and differences from it, over the compass |
+//! | `based`, `edited` | an instrument as differences from another one |
 //! | `embedded`, `source` | files that are part of the program, and files on the disk |
 //! | `read`, `quantity`, `setting`, `overrides` | the language of all kinds of file |
 //!
@@ -19,7 +20,9 @@
 //! Paths of models, instruments and performances are relative to the file that names them, or to
 //! the working directory where an override or an embedded scene does.
 
+mod based;
 mod checked_file;
+mod edited;
 mod embedded;
 mod fidelity;
 mod figures;
@@ -46,6 +49,7 @@ mod write;
 #[cfg(test)]
 mod tests;
 
+pub use based::{Based, CompassDifferences, InstrumentEdit};
 pub use checked_file::check_file;
 pub use embedded::{performances, scenes};
 pub use fidelity::{AutoFidelity, Fidelity, FidelityLevel};
@@ -63,5 +67,5 @@ pub use render::{InputReconstruction, PassivityMode, Render};
 pub use rig::{FingerName, Rig};
 pub use scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, Scene};
 pub use source::Override;
-pub use voicing::Voicing;
+pub use voicing::{InstrumentFile, Voicing};
 pub use write::written;

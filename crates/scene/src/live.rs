@@ -25,6 +25,7 @@ impl Render {
             name: String::new(),
             folder: std::path::PathBuf::new(),
             text: present.to_string(),
+            is_embedded: false,
         };
         let typed = |(name, value): &(String, String)| Override {
             name: name.clone(),

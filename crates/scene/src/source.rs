@@ -17,6 +17,7 @@ pub(super) struct SourceText {
     /// Folder of relative paths in the text.
     pub(super) folder: PathBuf,
     pub(super) text: String,
+    pub(super) is_embedded: bool,
 }
 
 /// Value of a scene replaced by the command line.
@@ -60,6 +61,7 @@ impl SourceText {
             name: name.to_owned(),
             folder: PathBuf::new(),
             text: text.to_owned(),
+            is_embedded: true,
         })
     }
 
@@ -75,7 +77,8 @@ impl SourceText {
         let text = String::from_utf8(bytes).map_err(|error| not_text(path, &error))?;
         let name = escaped(&path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy());
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(Self { file: path.to_string_lossy().into_owned(), name, folder, text })
+        let file = path.to_string_lossy().into_owned();
+        Ok(Self { file, name, folder, text, is_embedded: false })
     }
 
     /// Returns the embedded file of that name, or the file at that path below `folder`.

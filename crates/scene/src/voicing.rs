@@ -3,13 +3,29 @@
 use std::sync::Arc;
 
 use instruments::{LoadedModel, Parameter, Preset};
-use keyboard::{KeyIndex, KeyRange};
+use keyboard::{KEYS, KeyIndex, KeyRange};
 use mechanism::{Library, MissingModel, unmet};
 
 use super::quantity::Quantity;
 use super::read::{self, TableReader, unknown};
 use documents::quoted;
 use documents::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
+
+/// Values of a parameter that differ from the preset.
+#[derive(Clone, PartialEq, Debug)]
+enum ChangedValues {
+    Graded(Graded),
+    ByKey(Arc<[f64; KEYS]>),
+}
+
+impl ChangedValues {
+    fn at(&self, key: u8) -> f64 {
+        match self {
+            Self::Graded(graded) => graded.at(key),
+            Self::ByKey(values) => values[usize::from(key.min(LAST))],
+        }
+    }
+}
 
 const LAST: u8 = KeyIndex::HIGHEST.number();
 
@@ -38,13 +54,22 @@ pub struct Voicing {
     /// Index of a preset of the model.
     preset: usize,
     /// Values that differ from the preset, by parameter.
-    changed: Vec<Option<Graded>>,
+    changed: Vec<Option<ChangedValues>>,
+    /// File of the instrument, if it is no part of the program.
+    pub file: Option<Arc<InstrumentFile>>,
+}
+
+/// An instrument that is no part of the program.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct InstrumentFile {
+    pub name: String,
+    pub path: String,
 }
 
 impl Voicing {
     /// Returns `model` with its first preset; `None` without presets.
     pub fn of_model(model: &Arc<LoadedModel>) -> Option<Self> {
-        let voicing = Self { model: Arc::clone(model), preset: 0, changed: Vec::new() };
+        let voicing = Self { model: Arc::clone(model), preset: 0, changed: Vec::new(), file: None };
         (!model.presets.is_empty()).then_some(voicing)
     }
 
@@ -62,12 +87,12 @@ impl Voicing {
     }
 
     /// Returns the difference from the preset in the parameter with the name of `wanted`.
-    fn changed_in(&self, wanted: &Parameter) -> Option<Graded> {
+    fn changed_in(&self, wanted: &Parameter) -> Option<ChangedValues> {
         let same = |it: &Parameter| it.name == wanted.name && it.unit == wanted.unit;
         let index = self.model.parameters.iter().position(same)?;
-        let graded = (*self.changed.get(index)?)?;
+        let changed = self.changed.get(index)?.as_ref()?;
         let quantity = Quantity { unit: wanted.unit, range: wanted.range };
-        [graded.bass, graded.treble].into_iter().all(|it| quantity.allows(it)).then_some(graded)
+        (0..=LAST).all(|key| quantity.allows(changed.at(key))).then(|| changed.clone())
     }
 
     /// Reports the first of the model's conditions on its parameters that fails on one of `keys`.
@@ -90,11 +115,17 @@ impl Voicing {
     pub fn values(&self, key: u8) -> Vec<f64> {
         let mut values = self.preset().values(key);
         for (value, changed) in values.iter_mut().zip(&self.changed) {
-            if let Some(graded) = changed {
-                *value = graded.at(key);
+            if let Some(changed) = changed {
+                *value = changed.at(key);
             }
         }
         values
+    }
+
+    /// Sets the values of the parameter at `index` on all keys.
+    pub(super) fn set_values(&mut self, index: usize, values: Arc<[f64; KEYS]>) {
+        self.changed.resize(self.model.parameters.len(), None);
+        self.changed[index] = Some(ChangedValues::ByKey(values));
     }
 
     /// Reads the entries `model` and `preset`; without a name the model's first preset is used.
@@ -154,7 +185,9 @@ impl Voicing {
                 continue;
             };
             let graded = read_graded(report, &parameters[index], &entry.node);
-            self.changed[index] = graded.or(self.changed[index]);
+            if let Some(graded) = graded {
+                self.changed[index] = Some(ChangedValues::Graded(graded));
+            }
         }
     }
 

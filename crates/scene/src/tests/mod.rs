@@ -1,4 +1,5 @@
 mod any_input;
+mod edited;
 mod fidelity;
 mod mistakes;
 mod shipped;
