@@ -191,7 +191,7 @@ mod tests {
             scene.library.find("spring", std::path::Path::new("")).expect("a model of ours");
         let mut weighed = |stiffness: f64| {
             scene.keys[39] =
-                Some(scene::KeyVoice { model: model.clone(), values: vec![stiffness] });
+                Some(scene::KeyVoice { model: model.clone(), values: vec![stiffness], file: None });
             let weights = touch_weights(&scene, key).expect("a key").expect("it moves");
             (weights, VoiceBuilder::new(&scene).expect("a scene").rig().key.bottom_stop.position)
         };

@@ -19,7 +19,7 @@ pub mod equations;
 #[cfg(any(test, feature = "std"))]
 mod model;
 
-pub use crate::equations::table::{MidiTable, PressureKind, PressureTable};
+pub use crate::equations::table::{MidiTable, PressureKind, PressureTable, Reading};
 #[cfg(any(test, feature = "std"))]
 pub use model::{
     Damper, Described, DoesNotLoad, FileContents, GuardEntry, LARGEST, LoadedModel,

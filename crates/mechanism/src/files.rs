@@ -58,7 +58,6 @@ pub(crate) fn read_from_disk(path: &Path) -> Result<Vec<u8>, Unread> {
     Ok(bytes)
 }
 
-/// Returns the present contents on the disk of the files in `before`.
 pub fn contents_now(before: &FileContents) -> FileContents {
     before.read_again(&|path| read_from_disk(path).ok())
 }

@@ -16,13 +16,11 @@ use crate::too_large;
 /// Reason for a missing model.
 #[derive(Debug)]
 pub enum MissingModel {
-    /// Unknown name or path.
     Unknown {
         /// Problem with the name or path.
         message: String,
         help: String,
     },
-    /// Description with these mistakes.
     Wrong(Diagnostics),
 }
 

@@ -34,7 +34,6 @@ pub(crate) const SHIPPED: [(&str, &str); 24] = shipped![
     "configs/models" / "rolling-disk" = "rolling-disk",
 ];
 
-/// Returns the description of the shipped model called `name`.
 pub fn description(name: &str) -> Option<&'static str> {
     SHIPPED.iter().find(|(known, _text)| *known == name).map(|(_name, text)| *text)
 }

@@ -21,25 +21,31 @@ pub(super) fn quickest(subject: &PianoSubject<'_>, key: u8, part: f64) -> f64 {
     rates.find(|rate| repeats(subject, key, (part, *rate))).unwrap_or(0.0)
 }
 
-fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> bool {
+/// Returns `true` if every stroke of a repetition at `rate` (1/s) sounds once.
+pub(super) fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> bool {
     let mut driven = subject.open(key);
     let held = subject.dip(key) + 0.5 * BEYOND_DIP;
     let drive = Drive::Repeated { speed: FIRST, held, up: (1.0 - part) * held, rate };
     let first = held / FIRST;
-    let until = first + (f64::from(STROKES) + 0.5) / rate;
-    let mut t = 0.0;
+    let until = first + (f64::from(STROKES) + 0.5) / rate + TICK;
+    // One strike in each period, which begins with the key down.
+    let period = |n: u32| first + (f64::from(n) + 0.5) / rate;
+    let (mut t, mut played) = (0.0, 0);
     while t < until {
         if !driven.advance(TICK, &|theta| drive.at(t + theta * TICK)) {
             return false;
         }
         t += TICK;
+        if period(played + 1) <= t {
+            let within = period(played)..period(played + 1);
+            let sounds = driven.strikes().iter().filter(|it| it.sounds && within.contains(&it.t));
+            if sounds.count() != 1 {
+                return false;
+            }
+            played += 1;
+        }
     }
-    // One strike in each period, which begins with the key down.
-    let period = |n: u32| first + (f64::from(n) + 0.5) / rate;
-    (0..STROKES).all(|n| {
-        let within = period(n)..period(n + 1);
-        driven.strikes().iter().filter(|it| it.sounds && within.contains(&it.t)).count() == 1
-    })
+    played >= STROKES
 }
 
 /// Returns the time from the finger's release, with the key down, until the key is up to 1 mm (s).

@@ -14,7 +14,7 @@ pub struct Figure {
     pub pass: Option<bool>,
 }
 
-pub(super) const NAMES: [(&str, &str); 34] = [
+pub(super) const NAMES: [(&str, &str); 35] = [
     ("down_weight_0.5mm_s", "down weight at 0.5 mm/s [gf]"),
     ("down_weight_2mm_s", "down weight at 2 mm/s [gf]"),
     ("down_weight_5mm_s", "down weight at 5 mm/s [gf]"),
@@ -30,6 +30,7 @@ pub(super) const NAMES: [(&str, &str); 34] = [
     ("hump_place", "travel at the let-off hump, at 2 mm/s [mm]"),
     ("hump_masked", "hump above what is before it, at 0.5 m/s [N]"),
     ("aftertouch", "travel after the let-off hump, at 2 mm/s [mm]"),
+    ("let_off", "let-off: hammer below the string in a slow press [mm]"),
     ("damper_lift", "damper is lifted, of the dip [%]"),
     ("travel_pressed", "travel time, pressed: most outside of the grands, of what is allowed"),
     ("travel_struck", "travel time, struck: the same"),

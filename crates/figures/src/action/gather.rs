@@ -132,7 +132,10 @@ fn gather(subject: &PianoSubject<'_>, done: Vec<JobOutcome>) -> Examination {
             JobOutcome::Return(time) => measured.maybe("return", time.map(|it| 1e3 * it)),
         }
     }
-    weigh(&examination, &mut measured);
+    weigh(examination.dip, &examination.slopes, &mut measured);
+    let string = subject.parameter("string_height", MIDDLE);
+    let slow = examination.slopes.iter().find_map(|it| it.highest);
+    measured.maybe("let_off", string.zip(slow).map(|(string, top)| 1e3 * (string - top)));
     compare(&examination, &mut measured);
     follow(&examination, &mut measured);
     let lift = 100.0 * subject.open(MIDDLE).damper_lift() / examination.dip;
@@ -167,13 +170,11 @@ const WEIGHTS: [[&str; 3]; 4] = [
 ];
 
 /// Sets touch weights, humps and energy from the force curves.
-fn weigh(examination: &Examination, measured: &mut MeasuredFigures) {
-    let dip = examination.dip;
+pub(super) fn weigh(dip: f64, slopes: &[ForceCurve], measured: &mut MeasuredFigures) {
     let scale = dip / super::drive::USUAL_DIP;
     let range = (WEIGHED.0 * scale, WEIGHED.1 * scale);
-    let with_speed = |speed: f64| {
-        examination.slopes.iter().find(move |it| it.speed.to_bits() == speed.to_bits())
-    };
+    let with_speed =
+        |speed: f64| slopes.iter().find(move |it| it.speed.to_bits() == speed.to_bits());
     for (speed, [down, up, hump]) in SLOPES.into_iter().zip(WEIGHTS) {
         let Some(curve) = with_speed(speed) else { continue };
         measured.maybe(down, ForceCurve::mean(&curve.down, range).map(|it| it / GF));
@@ -187,9 +188,9 @@ fn weigh(examination: &Examination, measured: &mut MeasuredFigures) {
     let fast = with_speed(SLOPES[4]);
     let rise = |it: &ForceCurve| it.hump(dip).map_or(0.0, |hump| hump.rise);
     measured.maybe("hump_masked", fast.map(rise));
-    let works = || examination.slopes.iter().map(|it| it.work);
+    let works = || slopes.iter().map(|it| it.work);
     measured.maybe("cycle_work", works().reduce(f64::min).map(|it| 1e3 * it));
-    let residuals = examination.slopes.iter().map(|it| it.residual.abs() / it.work.abs());
+    let residuals = slopes.iter().map(|it| it.residual.abs() / it.work.abs());
     measured.maybe("energy_residual", residuals.reduce(f64::max));
 }
 

@@ -5,7 +5,7 @@
 //!
 //! `drive` is the input, `key` a driven key, `stroke` one stroke, `slope` force over travel,
 //! `again` repetition and return, `grands` the measured grands, `figure` figures with limits,
-//! `gather` all of an instrument.
+//! `gather` all of an instrument, `regulation` the quick ones of one key.
 
 mod again;
 mod drive;
@@ -13,6 +13,7 @@ mod figure;
 mod gather;
 mod grands;
 mod key;
+mod regulation;
 mod slope;
 mod stroke;
 mod subject;
@@ -22,6 +23,7 @@ pub use figure::{Figure, figure_names};
 pub use gather::{Examination, JOBS, examine};
 pub use grands::{StrokeTime, speeds};
 pub use key::{ActionSample, DrivenKey, Opener, StringContact};
+pub use regulation::{Regulation, regulation};
 pub use slope::{ForceCurve, Hump};
 pub use stroke::{Stroke as PlayedStroke, durations};
 pub use subject::PianoSubject;

@@ -17,6 +17,8 @@ pub struct ForceCurve {
     pub speed: f64,
     pub down: Vec<(f64, f64)>,
     pub up: Vec<(f64, f64)>,
+    /// Greatest rise of the hammer on the way down (m), if the model has it.
+    pub highest: Option<f64>,
     /// Work over the whole cycle, and energy that the integration generated (J).
     pub work: f64,
     pub residual: f64,
@@ -43,6 +45,7 @@ pub(super) fn measure(subject: &PianoSubject<'_>, key: u8, speed: f64) -> Option
     let h = (STEP / speed).clamp(TICKS.0, TICKS.1);
     let top = turn / speed;
     let (mut down, mut up) = (Vec::new(), Vec::new());
+    let mut highest = driven.sample().head;
     let mut t = 0.0;
     while t < 2.0 * top + AFTER {
         if !driven.advance(h, &|theta| drive.at(t + theta * h)) {
@@ -52,12 +55,13 @@ pub(super) fn measure(subject: &PianoSubject<'_>, key: u8, speed: f64) -> Option
         let sample = driven.sample();
         if t <= top {
             down.push((sample.travel, sample.force));
+            highest = highest.zip(sample.head).map(|(a, b)| a.max(b));
         } else if t <= 2.0 * top {
             up.push((sample.travel, sample.force));
         }
     }
     let audit = driven.audit();
-    Some(ForceCurve { speed, down, up, work: audit.supplied, residual: audit.integration })
+    Some(ForceCurve { speed, down, up, highest, work: audit.supplied, residual: audit.integration })
 }
 
 impl ForceCurve {

@@ -3,6 +3,9 @@ use instruments::LoadedModel;
 use super::drive::USUAL_DIP;
 use super::key::{DrivenKey, Opener};
 
+/// Travels of a key that can be measured (m): a longer one would take hours.
+const DIPS: std::ops::RangeInclusive<f64> = 1e-3..=0.1;
+
 /// An instrument with its expected figures.
 #[derive(Clone, Copy)]
 pub struct PianoSubject<'a> {
@@ -33,6 +36,7 @@ impl PianoSubject<'_> {
 
     /// Returns the travel of a key's front to its bed (m): the parameter `dip`, or a grand's.
     pub(super) fn dip(&self, key: u8) -> f64 {
-        self.parameter("dip", key).unwrap_or(USUAL_DIP)
+        let dip = self.parameter("dip", key);
+        dip.filter(|it| DIPS.contains(it)).unwrap_or(USUAL_DIP)
     }
 }

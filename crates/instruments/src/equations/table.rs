@@ -143,6 +143,22 @@ pub struct ParameterTable {
     pub unit: &'static str,
     pub range: (f64, f64),
     pub doc: Box<str>,
+    pub reading: Reading,
+}
+
+/// Display of a parameter to people, as `per·value + offset`, and its step.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Reading {
+    pub per: f64,
+    pub offset: f64,
+    /// Step of a hand, in the displayed value; `None` if it follows from unit and size.
+    pub step: Option<f64>,
+}
+
+impl Default for Reading {
+    fn default() -> Self {
+        Self { per: 1.0, offset: 0.0, step: None }
+    }
 }
 
 /// A preset: its values come from a function of the key alone (`extra[0]`, 0 to 87).

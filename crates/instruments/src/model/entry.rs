@@ -10,7 +10,7 @@ use core::fmt;
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use crate::equations::table::{
-    Arguments, FunctionId, Functions, ModeTable, ModelTable, NamedQuantity, is_pose,
+    Arguments, FunctionId, Functions, ModeTable, ModelTable, NamedQuantity, Reading, is_pose,
 };
 
 use crate::model::source::ModelSource;
@@ -28,6 +28,7 @@ pub struct Parameter {
     pub unit: &'static str,
     pub range: (f64, f64),
     pub doc: Box<str>,
+    pub reading: Reading,
 }
 
 /// A named set of parameter values, graded over the compass.
@@ -101,6 +102,7 @@ impl ModelEntry {
             unit: it.unit,
             range: it.range,
             doc: it.doc.clone(),
+            reading: it.reading,
         });
         let presets = table.presets.iter().map(|it| Preset {
             name: it.name,

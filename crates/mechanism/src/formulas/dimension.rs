@@ -53,7 +53,6 @@ impl Dimension {
         Self([metre, kilogram, second, 0.0, 0.0, 0.0, 0.0])
     }
 
-    /// Returns the dimension of the base unit with this number.
     pub(super) fn base(index: usize) -> Self {
         let mut all = [0.0; 7];
         if let Some(exponent) = all.get_mut(index) {
@@ -77,7 +76,6 @@ impl Dimension {
         Self(self.0.map(|it| it * exponent))
     }
 
-    /// Returns `true` if both are of one kind.
     pub fn fits(self, other: Self) -> bool {
         self.0.iter().zip(other.0).all(|(a, b)| (a - b).abs() < SAME)
     }

@@ -34,7 +34,6 @@ pub struct TextError {
 }
 
 impl TextError {
-    /// Returns a mistake at `span`.
     pub fn new(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { span, other: None, message: message.into(), help: help.into() }
     }

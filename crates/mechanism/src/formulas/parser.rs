@@ -89,7 +89,6 @@ impl Parser<'_> {
         part
     }
 
-    /// Parses a > b or a < b.
     fn condition(&mut self) -> Parsed {
         let left = self.binding(BindingPower::Sum)?;
         let sign = self.kind().clone();
@@ -109,7 +108,6 @@ impl Parser<'_> {
         self.push(PartShape::Greater(large, small), span)
     }
 
-    /// Parses operators that bind at least as tightly as `power`.
     fn binding(&mut self, power: BindingPower) -> Parsed {
         match power {
             BindingPower::Sum => self.chain(
@@ -213,7 +211,6 @@ impl Parser<'_> {
         quoted(self.text.get(span.clone()).unwrap_or(""))
     }
 
-    /// Parses a number, and its unit if one follows.
     fn number(&mut self, number: f64, span: Range<usize>) -> Parsed {
         let LexemeKind::Name(name, primes) = self.kind() else {
             let plain = PartShape::Number { value: number, dimension: Dimension::NONE, unit: None };
@@ -277,7 +274,6 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses names of points, forces or constraints.
     fn names(&mut self, function: &str) -> Result<Vec<(String, Range<usize>)>, TextError> {
         let mut names = Vec::new();
         loop {

@@ -43,7 +43,6 @@ impl Dependence {
         Self(self.0 | other.0)
     }
 
-    /// Returns `true` if `other` is a subset of it.
     pub const fn covers(self, other: Self) -> bool {
         other.0 & !self.0 == 0
     }
@@ -101,6 +100,5 @@ pub trait NameScope {
     /// The rate is unknown.
     fn rate(&mut self, graph: &mut Graph, value: Measured) -> Result<Measured, NameError>;
 
-    /// Returns the dependence that is allowed here.
     fn allowed(&self) -> Dependence;
 }

@@ -106,7 +106,6 @@ fn exact(name: &str) -> Option<(PhysicalUnit, Prefixes)> {
     Some((PhysicalUnit { factor, tens, dimension, si: si.to_owned() }, prefixes))
 }
 
-/// Returns the help for the unknown unit `name`.
 pub(super) fn unit_help(name: &str) -> String {
     choice(name, UNITS.iter().map(|(known, ..)| *known))
 }
@@ -249,7 +248,6 @@ impl UnitReader<'_> {
         Ok(unit)
     }
 
-    /// Reads a factor that is no group.
     fn flat(&mut self) -> Result<PhysicalUnit, TextError> {
         if let (Some(LexemeKind::Open), Some(lexeme)) = (self.kind(0), self.lexemes.get(self.at)) {
             let help = "write the unit with fewer parentheses";

@@ -9,7 +9,7 @@
 //! [`Place::Speed`]: crate::kane::graph::Place::Speed
 //! [`Place::Input`]: crate::kane::graph::Place::Input
 
-pub use instruments::equations::table::Material;
+pub use instruments::equations::table::{Material, Reading};
 pub use pode::Fires;
 
 use instruments::equations::table::MidiTable;
@@ -24,9 +24,7 @@ pub const fn most_modes() -> usize {
 /// A mechanism, or a system of plain equations, in the modes that it has.
 #[derive(Clone, Debug, Default)]
 pub struct Mechanism {
-    /// Holds all expressions below.
     pub graph: Graph,
-    /// Name in scenes and on the command line.
     pub name: String,
     pub instrument: InstrumentSpec,
     pub parameters: Vec<MechanismParameter>,
@@ -72,7 +70,6 @@ pub struct Masses {
 /// A parameter with its unit and range.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MechanismParameter {
-    /// Name in expressions, scenes and files.
     pub name: String,
     /// Name for people, on sliders.
     pub title: String,
@@ -80,6 +77,7 @@ pub struct MechanismParameter {
     pub unit: String,
     pub range: (f64, f64),
     pub doc: String,
+    pub reading: Reading,
 }
 
 /// A named set of values; each is a formula of the key ([`Place::Key`](crate::kane::graph::Place::Key))
@@ -151,7 +149,6 @@ pub struct ReferenceFrame {
 pub struct RigidBody {
     pub name: String,
     pub frame: usize,
-    /// Mass (kg).
     pub mass: Node,
     /// Mass centre in the frame's axes (m); none is 0.
     pub centre: [Option<Node>; 3],
@@ -229,11 +226,8 @@ pub struct Mode {
     pub name: String,
     /// Whether rigid contacts made it of another one, whose closed contacts are constraints here.
     pub is_configuration: bool,
-    /// Constraints that hold, by their numbers.
     pub constraints: Vec<usize>,
-    /// Forces that act, by their numbers.
     pub forces: Vec<usize>,
-    /// Contacts that can close.
     pub contacts: Vec<usize>,
     /// Coordinates that follow from others and the input in closed form, with their expressions.
     pub solved: Vec<(usize, Node)>,
@@ -275,7 +269,6 @@ pub struct Guard {
 pub struct GuardBranch {
     /// Positive where this way is taken.
     pub when: Option<Node>,
-    /// The number of the next mode.
     pub to: usize,
     /// Coordinates and speeds that the reset map changes, over the state before.
     pub set: Vec<(Target, Node)>,

@@ -62,7 +62,6 @@ pub fn derive_unless_cancelled(
     Ok(DerivedModel { description, system, program })
 }
 
-/// Returns a failed derivation as a mistake at its mode.
 fn obstacle(name: &str, text: &str, error: &DerivationError) -> Diagnostic {
     let heading = format!("[modes.{}]", error.mode_name);
     let line = text.lines().position(|line| line.trim_start().starts_with(&heading));

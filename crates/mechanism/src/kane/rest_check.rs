@@ -19,14 +19,12 @@ const INSTRUCTIONS: u64 = 16;
 /// Functions with an evaluation that stops at a limit of work or on cancellation.
 struct LimitedFunctions<'a> {
     program: &'a Program,
-    /// Instructions evaluated so far.
     done: AtomicU64,
     most: u64,
     is_cancelled: &'a AtomicBool,
 }
 
 impl LimitedFunctions<'_> {
-    /// Returns the reason for which evaluation stopped, if it did.
     fn end(&self) -> Option<WorkEnd> {
         if self.done.load(Ordering::Relaxed) > self.most {
             Some(WorkEnd::TooMuch)

@@ -10,7 +10,6 @@ use crate::kane::mechanism::{Fires, GuardBranch, Mechanism};
 /// Equations of a mechanism.
 #[derive(Clone, Debug)]
 pub struct EquationSystem {
-    /// Mechanism, with the graph of both.
     pub mechanism: Mechanism,
     /// State: coordinates, then speeds, each by its place.
     pub state: Vec<Place>,
@@ -46,7 +45,6 @@ pub struct ModeEquations {
 /// Contact in one mode.
 #[derive(Clone, Debug)]
 pub struct ContactEquations {
-    /// Number in the mechanism.
     pub contact: usize,
     /// Gap and its rate; `None` for a bearing.
     pub gap: Option<[Node; 2]>,
@@ -81,7 +79,6 @@ pub struct GuardEquations {
     /// SI unit of its value; empty if unknown.
     pub unit: String,
     pub value: Node,
-    /// Rate along the motion.
     pub rate: Node,
     pub scale: f64,
     pub priority: u8,
@@ -95,7 +92,6 @@ pub struct GuardEquations {
 #[derive(Clone, Debug)]
 pub struct Way {
     pub branch: GuardBranch,
-    /// State after the change.
     pub state: Vec<Node>,
     /// Impulse on the driver of the input (readout × s).
     pub impulse: Node,

@@ -24,7 +24,6 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// Returns the function with its `code`, compiled from `tape`.
     pub(crate) fn new(code: *const u8, tape: &Tape) -> Self {
         // SAFETY: `compile` made the code with this signature, and gives no null address.
         let code = unsafe { core::mem::transmute::<*const u8, Code>(code) };

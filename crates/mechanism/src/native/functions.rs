@@ -76,7 +76,6 @@ const BINARY: [(BinaryFunction, &str, BinaryCallee); 3] = [
 const SIN_COS: &str = "sin_cos";
 const SIN_COS_OF_TWO: &str = "sin_cos_of_two";
 
-/// Registers the functions' addresses with the code generator.
 pub(crate) fn register(builder: &mut JITBuilder) {
     for (_, name, function) in UNARY {
         builder.symbol(name, function as *const u8);

@@ -109,7 +109,6 @@ fn module() -> Result<JITModule, NativeError> {
     Ok(JITModule::new(builder))
 }
 
-/// Translates one tape and defines it in the module.
 fn define(
     module: &mut JITModule,
     callees: &Callees,
@@ -133,7 +132,6 @@ fn signature(module: &JITModule) -> ir::Signature {
     signature
 }
 
-/// Declares a Rust function that machine code calls.
 fn import(
     module: &mut JITModule,
     name: &str,

@@ -12,7 +12,6 @@ use cranelift_module::{FuncId, Module as _};
 use crate::native::arithmetic;
 use crate::native::functions::Callees;
 
-/// Writes the body of `function`, which computes `tape`.
 pub(crate) fn translate(
     tape: &Tape,
     module: &mut JITModule,
@@ -154,7 +153,6 @@ impl Translation<'_, '_> {
         }
     }
 
-    /// Calls a function that writes `N` numbers through its last argument.
     fn call_writing<const N: usize>(&mut self, callee: FuncId, angles: &[Value]) -> [Value; N] {
         let size = u32::try_from(8 * N).unwrap_or(u32::MAX);
         let place = StackSlotData::new(StackSlotKind::ExplicitSlot, size, 3);

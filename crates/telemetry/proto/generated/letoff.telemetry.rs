@@ -131,6 +131,7 @@ pub struct Event {
     #[prost(uint32, tag = "4")]
     pub key: u32,
     /// Of a switch: modes before and after, indices into the model's modes.
+    /// Of a change of values: in `to`, how many.
     #[prost(uint32, tag = "5")]
     pub from: u32,
     #[prost(uint32, tag = "6")]
@@ -543,6 +544,15 @@ pub struct Parameter {
     /// What a technician calls it; empty where that is its name.
     #[prost(string, tag = "6")]
     pub title: ::prost::alloc::string::String,
+    /// What people read is reading_per * value + reading_offset, in the same unit; the value itself
+    /// where reading_per is 0.
+    #[prost(double, tag = "7")]
+    pub reading_per: f64,
+    #[prost(double, tag = "8")]
+    pub reading_offset: f64,
+    /// By how much a hand moves what is read; 0 if that is not known.
+    #[prost(double, tag = "9")]
+    pub step: f64,
 }
 /// Values for a model's parameters, graded over the compass.
 #[derive(Clone, PartialEq, ::prost::Message)]
@@ -556,6 +566,15 @@ pub struct Instrument {
     /// Key by key, one value for each parameter; none while its model is not among the models.
     #[prost(double, repeated, tag = "4")]
     pub values: ::prost::alloc::vec::Vec<f64>,
+    /// Whether it is an instrument of the user, and no part of the program.
+    #[prost(bool, tag = "5")]
+    pub is_own: bool,
+    /// The instrument that it was made from, if any.
+    #[prost(string, tag = "6")]
+    pub base: ::prost::alloc::string::String,
+    /// Whether the base has other values now than when this one was saved.
+    #[prost(bool, tag = "7")]
+    pub base_changed: bool,
 }
 /// Topic `/ticks`: when ticks were done, column by column.
 #[derive(Clone, PartialEq, ::prost::Message)]
@@ -680,6 +699,101 @@ pub struct Board {
     /// What it says of itself, in words.
     #[prost(string, tag = "10")]
     pub state: ::prost::alloc::string::String,
+    /// Keys without a force, since the board or its readings failed there.
+    #[prost(uint32, repeated, tag = "11")]
+    pub muted: ::prost::alloc::vec::Vec<u32>,
+}
+/// Topic `/status`: what the host does, from before its first tick until after its last; sent with
+/// each change and at least once a second.
+#[derive(Clone, PartialEq, ::prost::Message)]
+pub struct Status {
+    #[prost(enumeration = "status::State", tag = "1")]
+    pub state: i32,
+    #[prost(string, tag = "2")]
+    pub scene: ::prost::alloc::string::String,
+    /// Since when, in seconds since 1970.
+    #[prost(uint64, tag = "3")]
+    pub since: u64,
+    /// Strokes rehearsed so far, and all of them.
+    #[prost(uint64, tag = "4")]
+    pub rehearsed: u64,
+    #[prost(uint64, tag = "5")]
+    pub strokes: u64,
+    #[prost(string, tag = "6")]
+    pub report: ::prost::alloc::string::String,
+    #[prost(uint32, tag = "7")]
+    pub stopped: u32,
+    #[prost(uint32, tag = "8")]
+    pub armed: u32,
+    /// File of the recording and its begin in seconds since 1970; empty without a recording.
+    #[prost(string, tag = "9")]
+    pub recording: ::prost::alloc::string::String,
+    #[prost(uint64, tag = "10")]
+    pub recording_since: u64,
+    /// The MIDI output in words, or the reason for its absence.
+    #[prost(string, tag = "11")]
+    pub midi: ::prost::alloc::string::String,
+    #[prost(message, repeated, tag = "12")]
+    pub boards: ::prost::alloc::vec::Vec<Board>,
+    /// Names of the lines, by which boards are numbered.
+    #[prost(string, repeated, tag = "13")]
+    pub lines: ::prost::alloc::vec::Vec<::prost::alloc::string::String>,
+    /// Keys that are muted after failures of their voices.
+    #[prost(uint32, repeated, tag = "14")]
+    pub muted: ::prost::alloc::vec::Vec<u32>,
+    /// Keys of the scene that no board carries.
+    #[prost(uint32, repeated, tag = "15")]
+    pub absent: ::prost::alloc::vec::Vec<u32>,
+}
+/// Nested message and enum types in `Status`.
+pub mod status {
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, ::prost::Enumeration)]
+    #[repr(i32)]
+    pub enum State {
+        Preparing = 0,
+        Rehearsing = 1,
+        Arming = 2,
+        Playing = 3,
+        /// The host should play and its ticks do not continue.
+        Stalled = 4,
+        Stopping = 5,
+        /// The piece is over: `report` is a sentence about it.
+        Over = 6,
+        /// All forces were removed by a stop: `stopped` of `armed` boards received it.
+        Stopped = 7,
+    }
+    impl State {
+        /// String value of the enum field names used in the ProtoBuf definition.
+        ///
+        /// The values are not transformed in any way and thus are considered stable
+        /// (if the ProtoBuf definition does not change) and safe for programmatic use.
+        pub fn as_str_name(&self) -> &'static str {
+            match self {
+                Self::Preparing => "PREPARING",
+                Self::Rehearsing => "REHEARSING",
+                Self::Arming => "ARMING",
+                Self::Playing => "PLAYING",
+                Self::Stalled => "STALLED",
+                Self::Stopping => "STOPPING",
+                Self::Over => "OVER",
+                Self::Stopped => "STOPPED",
+            }
+        }
+        /// Creates an enum from field names used in the ProtoBuf definition.
+        pub fn from_str_name(value: &str) -> ::core::option::Option<Self> {
+            match value {
+                "PREPARING" => Some(Self::Preparing),
+                "REHEARSING" => Some(Self::Rehearsing),
+                "ARMING" => Some(Self::Arming),
+                "PLAYING" => Some(Self::Playing),
+                "STALLED" => Some(Self::Stalled),
+                "STOPPING" => Some(Self::Stopping),
+                "OVER" => Some(Self::Over),
+                "STOPPED" => Some(Self::Stopped),
+                _ => None,
+            }
+        }
+    }
 }
 /// Topic `/midi`: a message as it was sent.
 #[derive(Clone, PartialEq, ::prost::Message)]

@@ -28,7 +28,6 @@ impl Graph {
         self.sum(&[(x, factor)])
     }
 
-    /// Returns the sum of `terms`, each times its factor.
     pub fn sum(&mut self, terms: &[(Node, f64)]) -> Node {
         if self.given_up().is_some() {
             return self.constant(0.0);

@@ -170,7 +170,6 @@ fn one_less_square(graph: &mut Graph, x: Node) -> Node {
 }
 
 impl Graph {
-    /// Returns the partial derivative of `node` with respect to the symbol at `place`.
     pub fn partial(&mut self, node: Node, place: Place) -> Node {
         let one = self.constant(1.0);
         Tangent::new([(place, one)]).of(self, node)

@@ -47,7 +47,6 @@ impl Graph {
         Self::default()
     }
 
-    /// Returns the operation of `node`.
     pub fn operation(&self, node: Node) -> &NodeOperation {
         &self.operations[node.index()]
     }
@@ -82,7 +81,6 @@ impl Graph {
         node
     }
 
-    /// Returns the value of `node` if it is a number.
     pub fn number(&self, node: Node) -> Option<f64> {
         let NodeOperation::Number(bits) = self.operation(node) else { return None };
         Some(f64::from_bits(*bits))

@@ -14,7 +14,6 @@ pub enum Place {
     Input(u8),
     /// Force of a constraint; known once a mode's equations are solved.
     Reaction(u16),
-    /// Force of a contact or friction in the mode.
     Contact(u16),
     /// Argument beyond state and input, defined by each function.
     Extra(u16),

@@ -16,7 +16,6 @@ pub const MAX_WORK: u64 = 30_000_000;
 /// Reason for which work on a graph was given up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum WorkEnd {
-    /// The work reached [`MAX_WORK`].
     TooMuch,
     Cancelled,
 }

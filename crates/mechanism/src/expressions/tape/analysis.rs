@@ -33,7 +33,6 @@ pub enum AngleGroup {
 }
 
 impl Tape {
-    /// Returns the uses of each value by outputs and by used instructions.
     pub fn uses(&self) -> Vec<u32> {
         let mut uses = vec![0_u32; self.instructions.len()];
         for output in &self.outputs {
@@ -116,7 +115,6 @@ impl Tape {
 }
 
 impl Instruction {
-    /// Returns the instruction with each operand mapped by `place`.
     #[must_use]
     pub fn moved(&self, place: impl Fn(TapeSlot) -> TapeSlot) -> Self {
         match *self {

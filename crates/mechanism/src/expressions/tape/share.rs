@@ -132,7 +132,6 @@ trait Pairs {
 
     fn form(&self, pair: FormPair) -> TapeForm;
 
-    /// Replaces the pair by `part`.
     fn replace(&self, form: &mut TapeForm, pair: FormPair, part: FormId);
 }
 

@@ -25,7 +25,6 @@ pub enum SeriesRule {
         slope: TapeSlot,
         of: TapeSlot,
     },
-    /// Square root of the slot.
     Root(TapeSlot),
     /// The first to the power of the constant second.
     Power(TapeSlot, TapeSlot),

@@ -65,7 +65,6 @@ impl<'a> StepTerms<'a> {
         }
     }
 
-    /// Returns the contribution of the lower orders.
     fn sum(&mut self, a: LaneFactor, b: LaneFactor) -> Term {
         let lane = self.lanes.iter().position(|it| it.is_sum_of(a, b))?;
         Some(self.writer.push(extra(CARRIED + self.count + lane)))

@@ -25,12 +25,10 @@ pub(super) struct ModeBuilder<'a> {
     pub(super) name: &'a str,
     pub(super) equations: &'a ModeEquations,
     pub(super) state: StateOfMode<'a>,
-    /// Whether it slaves a coordinate to the input.
     pub(super) follows_input: bool,
 }
 
 impl ModeBuilder<'_> {
-    /// Adds a function of this mode.
     pub(super) fn add(
         &self,
         graph: &mut Graph,

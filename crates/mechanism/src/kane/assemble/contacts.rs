@@ -10,7 +10,6 @@ use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::Mechanism;
 use crate::kane::system::{ContactEquations, FrictionEquations};
 
-/// All contacts of a mechanism, as tables and as their automata have them.
 pub(super) fn specs(mechanism: &Mechanism) -> (Vec<ContactTable>, Vec<ContactSpec>) {
     let one = |contact: &crate::kane::mechanism::MechanismContact| {
         let gap = contact.gap.map(|_| contact.scale);
@@ -29,7 +28,6 @@ pub(super) fn specs(mechanism: &Mechanism) -> (Vec<ContactTable>, Vec<ContactSpe
     mechanism.contacts.iter().map(one).unzip()
 }
 
-/// The contacts of a mode.
 pub(super) fn contacts(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -86,7 +84,6 @@ fn contact(
     Ok(table)
 }
 
-/// What a closed contact adds to the slopes of the readout.
 fn slopes(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -101,7 +98,6 @@ fn slopes(
     builder.add(graph, functions, &format!("{name}_slopes"), &slopes)
 }
 
-/// The normal force of a closed contact: what it adds to the derivative, and to the balance.
 fn normal(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -126,7 +122,6 @@ fn normal(
     Ok(())
 }
 
-/// The friction of a closed contact or a bearing.
 fn friction(
     graph: &mut Graph,
     functions: &mut FunctionList,

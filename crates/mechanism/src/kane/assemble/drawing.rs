@@ -44,7 +44,6 @@ pub(super) fn table(
     Ok(DrawingTable { numbers, count, bodies, springs })
 }
 
-/// A line, whose points are added to the numbers.
 fn outline(numbers: &mut Vec<Node>, outline: &mechanism::Outline) -> OutlineTable {
     let first = numbers.len();
     numbers.extend(outline.points.iter().flatten());

@@ -9,13 +9,9 @@ use crate::kane::graph::{Place, WorkEnd};
 pub enum AssemblyError {
     /// An expression of a mode, by its name, reads what is no parameter, state or input.
     UnknownSymbol(String, Place),
-    /// More entries of the state than a part has bits for.
     TooManyStates(usize),
-    /// More modes than a number has room for.
     TooManyModes(usize),
-    /// More guards of different names than a number has room for.
     TooManyGuards(usize),
-    /// More functions or constants than a number has room for.
     TooManyFunctions(usize),
     /// Its functions were not made to their end.
     GivenUp(WorkEnd),

@@ -15,7 +15,6 @@ pub struct TapeFunctions {
 }
 
 impl TapeFunctions {
-    /// Returns the tapes by the functions' numbers.
     pub fn tapes(&self) -> &[Tape] {
         &self.tapes
     }
@@ -69,7 +68,6 @@ pub(super) struct FunctionList {
 }
 
 impl FunctionList {
-    /// An empty list for a state with these places.
     pub(super) fn new(parameters: usize, state: &[Place]) -> Self {
         let mut layout = ArgumentLayout::default();
         for (index, place) in (0..).zip(state) {
@@ -110,7 +108,6 @@ impl FunctionList {
         self.add_whole(graph, name, &outputs)
     }
 
-    /// Adds the function of `outputs` as they are.
     pub(super) fn add_whole(
         &mut self,
         graph: &Graph,
@@ -121,7 +118,6 @@ impl FunctionList {
         self.add_tape(name, tape)
     }
 
-    /// Returns the tape of `outputs`, with what the parameters alone give found before.
     pub(super) fn tape(
         &mut self,
         graph: &mut Graph,

@@ -29,7 +29,6 @@ impl GuardNumbers {
     }
 }
 
-/// By what guards are told apart.
 fn key(guard: &GuardEquations) -> (String, u64, u8, bool) {
     let on_crossing = guard.fires == Fires::OnCrossing;
     (guard.name.clone(), guard.scale.to_bits(), guard.priority, on_crossing)

@@ -11,7 +11,6 @@ use crate::kane::bound::Bounds;
 use crate::kane::graph::{Graph, Node};
 use crate::kane::system::{GuardEquations, Way};
 
-/// The guards of a mode, as tables and as they are watched.
 pub(super) fn guards(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -63,7 +62,6 @@ fn guard(
     })
 }
 
-/// What a guard is a function of.
 fn reads(graph: &Graph, builder: &ModeBuilder<'_>, values: &[Node]) -> Reads {
     if builder.follows_input || values.iter().any(|value| is_of_input(graph, *value)) {
         Reads::StateAndInput
@@ -72,7 +70,6 @@ fn reads(graph: &Graph, builder: &ModeBuilder<'_>, values: &[Node]) -> Reads {
     }
 }
 
-/// The function that bounds what `value` does over a step.
 pub(super) fn bound(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -84,7 +81,6 @@ pub(super) fn bound(
     builder.add(graph, functions, &format!("{name}_bound"), &bounds)
 }
 
-/// One way out of a mode.
 fn way(
     graph: &mut Graph,
     functions: &mut FunctionList,

@@ -22,7 +22,6 @@ impl Hoisting {
         Self { parameters, ..Self::default() }
     }
 
-    /// Returns `outputs` in terms of the constants.
     pub(super) fn of(&mut self, graph: &mut Graph, outputs: &[Node]) -> Vec<Node> {
         for node in graph.reached(outputs) {
             self.see(graph, node);
@@ -30,7 +29,6 @@ impl Hoisting {
         outputs.iter().map(|output| self.used(graph, *output)).collect()
     }
 
-    /// Finds what `node` becomes, whose operands were seen.
     fn see(&mut self, graph: &mut Graph, node: Node) {
         if self.is_fixed.contains_key(&node) {
             return;
@@ -51,7 +49,6 @@ impl Hoisting {
         matches!(place, Place::Parameter(number) if usize::from(number) < self.parameters)
     }
 
-    /// What stands for `node` where it is used.
     fn used(&mut self, graph: &mut Graph, node: Node) -> Node {
         // A node that was not seen: work on the graph was given up.
         let Some(is_fixed) = self.is_fixed.get(&node) else { return node };
@@ -65,7 +62,6 @@ impl Hoisting {
         }
     }
 
-    /// The symbol of a constant with the value of `node`.
     fn constant(&mut self, graph: &mut Graph, node: Node) -> Node {
         if let Some(symbol) = self.numbers.get(&node) {
             return *symbol;
@@ -77,7 +73,6 @@ impl Hoisting {
         symbol
     }
 
-    /// The node again, of what its operands became.
     fn one(&mut self, graph: &mut Graph, node: Node) -> Node {
         match graph.operation(node).clone() {
             NodeOperation::Number(_) | NodeOperation::Symbol(_) => node,
@@ -144,7 +139,6 @@ impl Hoisting {
         graph.product(&all)
     }
 
-    /// The constant for a node that is fixed and may be new.
     fn fixed(&mut self, graph: &mut Graph, node: Node) -> Node {
         for reached in graph.reached(&[node]) {
             self.see(graph, reached);

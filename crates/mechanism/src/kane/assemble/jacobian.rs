@@ -28,17 +28,14 @@ impl<'a> StateOfMode<'a> {
         Self { state, is_free: &mode.is_free, slaved }
     }
 
-    /// Whether entry `index` moves by equations.
     pub(super) fn is_free(&self, index: usize) -> bool {
         self.is_free.get(index).copied().unwrap_or(true)
     }
 
-    /// The indices of what moves by equations.
     pub(super) fn free(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.state.len()).filter(|index| self.is_free(*index))
     }
 
-    /// `nodes` with what is slaved replaced by what it follows from.
     pub(super) fn replaced(&self, graph: &mut Graph, nodes: &[Node]) -> Vec<Node> {
         let by = slaved_places(self.state, self.is_free, &self.slaved);
         let mut substitution = Substitution::new(by);
@@ -69,7 +66,6 @@ impl<'a> StateOfMode<'a> {
     }
 }
 
-/// The slaved entries with what they follow from.
 fn slaved_places(state: &[Place], is_free: &[bool], slaved: &[Node]) -> Vec<(Place, Node)> {
     let all = state.iter().zip(slaved).zip(is_free);
     all.filter(|(_, is_free)| !**is_free).map(|((place, by), _)| (*place, *by)).collect()

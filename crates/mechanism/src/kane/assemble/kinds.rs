@@ -10,17 +10,14 @@ use crate::kane::graph::{
     BinaryFunction, Graph, Node, NodeOperation, Place, Substitution, UnaryFunction,
 };
 
-/// Whether a node depends on the state.
 pub(super) fn is_of_state(graph: &Graph, node: Node) -> bool {
     graph.depends(node, |place| matches!(place, Place::Coordinate(_) | Place::Speed(_)))
 }
 
-/// Whether a node depends on the input.
 pub(super) fn is_of_input(graph: &Graph, node: Node) -> bool {
     graph.depends(node, |place| matches!(place, Place::Input(_)))
 }
 
-/// The kind of equations with these rates and Jacobian.
 pub(super) fn kind_of(
     graph: &Graph,
     rates: &[Node],
@@ -91,14 +88,12 @@ impl LossKind {
         matches!(self, Self::Nothing)
     }
 
-    /// Of a dissipated power.
     pub(super) fn of(graph: &mut Graph, dissipated: Option<Node>, parameters: u16) -> Self {
         let Some(dissipated) = dissipated else { return Self::Nothing };
         let terms = terms(graph, dissipated);
         Self::of_terms(graph, &terms, parameters)
     }
 
-    /// Of the terms of it that depend on these entries of the state.
     pub(super) fn of_entries(graph: &mut Graph, moving: &Moving<'_>, own: &[usize]) -> Self {
         let Some(dissipated) = moving.dissipated else { return Self::Nothing };
         let places: Vec<_> = own.iter().map(|index| moving.state.state[*index]).collect();
@@ -120,7 +115,6 @@ impl LossKind {
         if lost.is_empty() { Self::Nothing } else { Self::Where(graph.sum(&lost)) }
     }
 
-    /// The function that tells, where it is a matter of the parameters.
     pub(super) fn function(
         &self,
         graph: &Graph,

@@ -31,9 +31,7 @@ use crate::kane::tape::Tape;
 /// What runs: all of a model but its arithmetic, and that arithmetic function by function.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// All but the arithmetic.
     pub table: ModelTable,
-    /// The functions by their numbers in the table.
     pub functions: TapeFunctions,
     /// What each function is for: `B1_derivative`.
     pub names: Vec<String>,
@@ -42,7 +40,6 @@ pub struct Program {
 }
 
 impl Program {
-    /// Returns the tapes by the functions' numbers.
     pub fn tapes(&self) -> &[Tape] {
         self.functions.tapes()
     }

@@ -12,7 +12,6 @@ use super::{AssemblyError, contacts, guards, names, series};
 use crate::kane::graph::{Graph, Place};
 use crate::kane::mechanism::{ConstraintKind, Mechanism};
 
-/// Makes the table of the mode `number`.
 pub(super) fn mode(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -44,7 +43,6 @@ pub(super) fn mode(
     })
 }
 
-/// The functions of what a mode does by itself: how it moves.
 fn motion(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -125,7 +123,6 @@ fn forces(
     })
 }
 
-/// How far an event may move a coordinate onto the mode's constraints, where that is stated.
 fn longest_projection(
     graph: &Graph,
     functions: &mut FunctionList,

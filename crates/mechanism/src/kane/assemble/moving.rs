@@ -10,6 +10,5 @@ pub(super) struct Moving<'a> {
     pub(super) rates: &'a [Node],
     pub(super) jacobian: &'a [Vec<Node>],
     pub(super) dissipated: Option<Node>,
-    /// How many parameters there are.
     pub(super) parameters: u16,
 }

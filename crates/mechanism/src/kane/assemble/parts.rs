@@ -39,7 +39,6 @@ pub(super) fn components(
     parts
 }
 
-/// The entries of a set as indices.
 pub(super) fn indices(entries: u64) -> Vec<usize> {
     (0..64).filter(|index| entries >> index & 1 == 1).collect()
 }
@@ -54,7 +53,6 @@ pub(super) fn part(entries: u64, states: usize, reads: Reads) -> Part {
     }
 }
 
-/// The parts of a mode, with what each costs and reads.
 pub(super) fn parts(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -78,7 +76,6 @@ pub(super) fn parts(
     Ok((tables, list))
 }
 
-/// What the rates of these entries depend on beside themselves.
 fn reads(graph: &mut Graph, moving: &Moving<'_>, own: &[usize]) -> Reads {
     let rates: Vec<_> = own.iter().map(|index| moving.rates[*index]).collect();
     let rates = moving.state.replaced(graph, &rates);
@@ -89,7 +86,6 @@ fn reads(graph: &mut Graph, moving: &Moving<'_>, own: &[usize]) -> Reads {
     }
 }
 
-/// The kind of the equations of these entries.
 fn own_kind(
     graph: &mut Graph,
     moving: &Moving<'_>,

@@ -15,7 +15,6 @@ use crate::kane::graph::{Graph, Place};
 use crate::kane::mechanism::{Mechanism, StringDamper};
 use crate::kane::system::EquationSystem;
 
-/// Makes the program of a system.
 pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError> {
     let EquationSystem { mut mechanism, state, coordinates, modes } = system;
     if state.len() > 64 {
@@ -164,13 +163,11 @@ fn rest(
     })
 }
 
-/// Names and units, kept.
 fn named<'a>(all: impl Iterator<Item = (&'a String, &'a String)>) -> Vec<NamedQuantity> {
     all.map(|(name, unit)| NamedQuantity { name: names::name(name), unit: names::name(unit) })
         .collect()
 }
 
-/// Name and unit of an entry of the state.
 fn quantity(mechanism: &Mechanism, place: Place) -> (&String, &String) {
     let found = if let Place::Coordinate(number) = place {
         mechanism.coordinates.get(usize::from(number)).map(|it| (&it.name, &it.unit))
@@ -189,6 +186,7 @@ fn parameter(parameter: &crate::kane::mechanism::MechanismParameter) -> Paramete
         unit: names::name(&parameter.unit),
         range: parameter.range,
         doc: parameter.doc.as_str().into(),
+        reading: parameter.reading,
     }
 }
 

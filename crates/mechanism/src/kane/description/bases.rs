@@ -100,7 +100,6 @@ fn base_of(
     }
 }
 
-/// Removes the entries from `tree` that `over` lists.
 fn remove(report: &mut FindingList, tree: &mut TomlNode, over: &TomlNode) {
     let Some(entry) = over.get("remove") else { return };
     for item in toml::list(report, "remove", &entry.node) {

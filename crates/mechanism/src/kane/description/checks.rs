@@ -58,7 +58,6 @@ impl MechanismReader {
         quoted(self.mechanism.instrument.presets.get(preset).map_or("", |it| &it.name))
     }
 
-    /// Checks ranges and requirements on all keys.
     fn check_preset(&mut self, preset: usize) {
         let Some(values) =
             self.mechanism.instrument.presets.get(preset).map(|it| it.values.clone())

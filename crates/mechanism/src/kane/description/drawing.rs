@@ -51,7 +51,6 @@ impl MechanismReader {
         Some(all)
     }
 
-    /// Reads a frame of the drawing that differs between modes.
     fn frame_by_mode(&mut self, entry: &TomlEntry) {
         let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return };
         let usual = keys.text(&mut self.report, "frame").map_or(Some(0), |it| self.frame(it));

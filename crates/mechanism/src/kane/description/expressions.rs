@@ -19,7 +19,6 @@ impl MechanismReader {
         self.written_as(name, node, Form::Value)
     }
 
-    /// Returns the expression of the key `name`, if it exists.
     pub(super) fn field(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -72,7 +71,6 @@ impl MechanismReader {
         self.report.say(here, message, error.help.clone());
     }
 
-    /// Returns the value of `file`, which may depend on `allowed`.
     pub(super) fn value(&mut self, file: &FileExpression, allowed: Dependence) -> Option<Measured> {
         if self.size.is_full {
             return None;

@@ -143,7 +143,6 @@ impl MechanismReader {
         }
     }
 
-    /// Returns the number of the coordinate with the name of an entry.
     pub(super) fn coordinate(&mut self, entry: &TomlEntry) -> Option<usize> {
         if let Some((SymbolKind::Coordinate(index), _)) = self.names.symbols.get(&entry.name) {
             return Some(*index);

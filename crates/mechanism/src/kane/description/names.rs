@@ -80,7 +80,6 @@ pub(super) struct NameTable {
     pub(super) parameters: Vec<Dimension>,
     pub(super) coordinates: Vec<Dimension>,
     pub(super) rates: Vec<Option<Measured>>,
-    /// Speeds by the number in the mechanism.
     pub(super) speeds: Vec<Dimension>,
     pub(super) input: Dimension,
     pub(super) definitions: Vec<Option<Measured>>,

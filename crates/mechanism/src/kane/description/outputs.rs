@@ -57,7 +57,6 @@ impl MechanismReader {
         }
     }
 
-    /// Reads expressions that differ in some modes.
     fn in_modes(&mut self, keys: &mut KeyReader<'_>) -> Vec<(usize, FileExpression)> {
         let mut others = Vec::new();
         for entry in keys.table(&mut self.report, "in") {

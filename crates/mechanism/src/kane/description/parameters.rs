@@ -6,6 +6,7 @@
 
 use documents::quoted;
 use documents::toml::{KeyReader, TomlEntry, TomlKind};
+use instruments::equations::table::Reading;
 
 use super::items::{FileExpression, ParameterText};
 use super::names::SymbolKind;
@@ -34,6 +35,7 @@ impl MechanismReader {
         let range = self.range(&mut keys, "range", &entry.name, dimension);
         let title = keys.text(&mut self.report, "title").map(|(it, _)| it.to_owned());
         let doc = keys.text(&mut self.report, "doc").map(|(it, _)| it.to_owned());
+        let reading = self.reading(&mut keys, dimension);
         keys.finish(&mut self.report);
         let kind = SymbolKind::Parameter(self.parameters.len());
         if !self.symbol(entry, kind) {
@@ -48,7 +50,35 @@ impl MechanismReader {
             unit,
             range: range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY)),
             doc: doc.unwrap_or_default(),
+            reading,
         });
+    }
+
+    /// Reads the display of a parameter: its step, and a reading that is not the value itself.
+    fn reading(&mut self, keys: &mut KeyReader<'_>, dimension: Dimension) -> Reading {
+        let mut reading = Reading::default();
+        if let Some(entry) = keys.take("step") {
+            reading.step = self.constant("step", &entry.node, dimension).filter(|it| 0.0 < *it);
+            if reading.step.is_none() {
+                self.report.say(entry.place, "a step is not positive", "write step = \"0.1 mm\"");
+            }
+        }
+        let Some(entry) = keys.take("reading") else { return reading };
+        let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return reading };
+        let mut number = |name: &'static str, dimension| {
+            let found = keys.take(name);
+            found.and_then(|it| self.constant(name, &it.node, dimension))
+        };
+        let (at, is) = (number("at", dimension), number("is", dimension));
+        let per = number("per", Dimension::NONE).filter(|it| *it != 0.0);
+        keys.finish(&mut self.report);
+        if let (Some(at), Some(is), Some(per)) = (at, is, per) {
+            (reading.per, reading.offset) = (per, is - per * at);
+        } else {
+            let help = "write reading = { at = \"61 mm\", is = \"2 mm\", per = -6 }";
+            self.report.miss(entry.place, "a reading is not complete", help);
+        }
+        reading
     }
 
     /// Returns the stated unit, or the one in which the value is written.
@@ -110,7 +140,6 @@ impl MechanismReader {
         }
     }
 
-    /// Returns the range `name` of the item `of`.
     pub(super) fn range(
         &mut self,
         keys: &mut KeyReader<'_>,

@@ -55,11 +55,9 @@ pub(super) struct MechanismReader {
     /// Tensions of forces by name, in each mode; the last is with all of them.
     pub(super) forces_in_modes: Vec<Substitution>,
     pub(super) watched: Vec<WatchedNode>,
-    /// Place and name of each mode.
     pub(super) modes: Vec<(String, SourcePlace)>,
     pub(super) exits: ModeExits,
     pub(super) places: ItemPlaces,
-    /// Frame and place in it of each point.
     pub(super) point_places: Vec<Option<(usize, [Node; 3])>>,
     /// Frames of the drawing that are others in some modes.
     pub(super) drawn_frames: Vec<DrawnFrame>,
@@ -104,7 +102,6 @@ pub(super) struct BuiltLaws {
 #[derive(Debug, Default)]
 pub(super) struct DescriptionSize {
     pub(super) expressions: usize,
-    /// Operands of all expressions.
     weight: usize,
     /// Nodes of the graph that are counted in `weight`.
     weighed: usize,
@@ -180,7 +177,6 @@ impl MechanismReader {
         root.text(&mut self.report, "doc").map(|(doc, _)| doc.trim().to_owned()).unwrap_or_default()
     }
 
-    /// Whether a table has more entries than anything can have.
     fn has_too_many(&mut self, tree: &TomlNode) -> bool {
         let mut is_too_many = false;
         for entry in tree.entries().unwrap_or(&[]) {
@@ -208,7 +204,6 @@ impl MechanismReader {
         self.watched.push(WatchedNode { node, place: file.place, text, reach, mode });
     }
 
-    /// Counts what was built since the last time.
     pub(super) fn weigh(&mut self, place: SourcePlace) {
         let mut count = 0;
         for node in self.graph.nodes_from(self.size.weighed) {
@@ -229,7 +224,6 @@ impl MechanismReader {
         self.size.is_full = true;
     }
 
-    /// Reports a name that stands twice.
     pub(super) fn twice(&mut self, entry: &TomlEntry, first: SourcePlace) {
         let there = self.report.describe(first, entry.place);
         let message = format!("{} is a name already (at {there})", quoted(&entry.name));

@@ -41,7 +41,6 @@ impl ItemIndex {
 }
 
 impl MechanismReader {
-    /// Builds all items; reports cycles.
     pub(super) fn resolve(&mut self) {
         let index = ItemIndex::new(&self.items);
         let needs: Vec<_> = self.items.iter().map(|item| self.needs(item, &index)).collect();

@@ -29,7 +29,6 @@ impl MechanismReader {
         self.mechanism.rest = rest;
     }
 
-    /// Reads one mode, or a list of conditions on the parameters with a mode each.
     fn rest_mode(&mut self, keys: &mut KeyReader<'_>, rest: &mut Rest) {
         let Some(entry) = keys.take("mode") else { return };
         if let Some(name) = entry.node.text() {

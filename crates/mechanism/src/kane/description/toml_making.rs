@@ -28,7 +28,6 @@ pub(super) fn names_in(node: &TomlNode) -> Vec<String> {
     list_of(node).iter().filter_map(|it| it.text().map(str::to_owned)).collect()
 }
 
-/// Applies `act` to every value of a table or a list.
 pub(super) fn each(node: &mut TomlNode, act: &mut dyn FnMut(&mut TomlNode)) {
     match &mut node.kind {
         TomlKind::Table(entries) => entries.iter_mut().for_each(|it| act(&mut it.node)),

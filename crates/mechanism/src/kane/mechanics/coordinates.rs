@@ -124,7 +124,6 @@ impl Search<'_> {
         }
     }
 
-    /// Returns the holonomic constraints with the stated coordinates substituted.
     fn zeros(&mut self, solved: &SolvedCoordinates) -> Vec<Node> {
         let mut by = replacement(&solved.stated);
         let active = self.mode.constraints.iter().map(|c| &self.mechanism.constraints[*c]);

@@ -77,7 +77,6 @@ impl ExplicitForms {
         self.finish.of(graph, rate)
     }
 
-    /// Returns the undetermined quantity in `node`, if any.
     pub(super) fn obstacle(
         &self,
         graph: &Graph,

@@ -96,7 +96,6 @@ impl Moving<'_, '_> {
         (of.position.plus(graph, &offset), of.velocity.plus(graph, &rate))
     }
 
-    /// Returns the rate of a vector in the ground frame.
     fn derivative(&mut self, graph: &mut Graph, vector: &FrameVector) -> FrameVector {
         let mut rate = FrameVector::default();
         for (frame, components) in &vector.parts {

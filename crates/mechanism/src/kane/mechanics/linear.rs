@@ -142,7 +142,6 @@ impl LinearSystem<'_> {
         self.graph.subtract(plus, minus)
     }
 
-    /// Eliminates the unknown of the largest pivot from the other rows.
     fn eliminate(&mut self) -> Option<()> {
         let (row, column) = self.largest()?;
         self.take(row, column);
@@ -174,7 +173,6 @@ impl LinearSystem<'_> {
         regular.rev().max_by(|x, y| x.1.total_cmp(&y.1)).map(|it| it.0)
     }
 
-    /// Solves the deferred rows in reverse order.
     fn finish(mut self) -> Option<Vec<Vec<Node>>> {
         while let Some((row, column)) = self.later.pop() {
             for other in 0..self.solution.len() {

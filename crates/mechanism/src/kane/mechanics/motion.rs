@@ -19,7 +19,6 @@ use crate::kane::mechanism::{Mechanism, Mode};
 #[derive(Debug)]
 pub(super) struct ModeMotion {
     pub(super) pose: NumericPose,
-    /// Solved coordinates over the others.
     pub(super) solved: BTreeMap<usize, Node>,
     pub(super) speeds: SpeedMap,
     /// Indices of the independent speeds without a plain equation.
@@ -28,7 +27,6 @@ pub(super) struct ModeMotion {
     pub(super) accelerations: Vec<Node>,
     /// Reactions of the constraints, by their numbers; `None` where they are undetermined.
     pub(super) reactions: BTreeMap<usize, Option<Node>>,
-    /// Generalised force that drives the input.
     pub(super) driving: Option<Node>,
     finish: HashMap<Place, Node>,
 }
@@ -36,9 +34,7 @@ pub(super) struct ModeMotion {
 /// Effect on the motion of a generalised force on the speeds, without other forces.
 pub(super) struct Response {
     pub(super) accelerations: Vec<Node>,
-    /// Force on the driver of the input.
     pub(super) driving: Option<Node>,
-    /// Forces of the constraints, by their numbers.
     pub(super) reactions: BTreeMap<usize, Node>,
 }
 
@@ -125,7 +121,6 @@ impl ModeMotion {
         })
     }
 
-    /// Returns the slopes of all speeds by an independent one.
     fn column(&self, k: usize) -> Vec<Node> {
         self.speeds.slopes.iter().map(|row| row[k]).collect()
     }

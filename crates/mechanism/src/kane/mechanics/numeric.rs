@@ -41,7 +41,6 @@ impl NumericPose {
         pose
     }
 
-    /// Returns a generic pose nearby.
     pub(super) fn nearby(&self, mechanism: &Mechanism) -> Self {
         let mut pose = self.clone();
         for i in 0..mechanism.coordinates.len() {

@@ -36,7 +36,6 @@ struct ImpactRow {
 
 struct ImpactSolution {
     changes: Vec<Node>,
-    /// Impulse on the driver of the input.
     impulse: Node,
 }
 

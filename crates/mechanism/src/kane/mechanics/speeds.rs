@@ -22,14 +22,12 @@ pub(super) struct VelocityRow {
     /// Speed of the stated coordinate with this condition.
     pub(super) stated: Option<usize>,
     pub(super) slopes: Vec<Node>,
-    /// Part without the speeds.
     pub(super) rest: Node,
 }
 
 /// All speeds of a mode in terms of the independent ones.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SpeedMap {
-    /// Independent speeds, by their numbers, in order.
     pub(super) independent: Vec<usize>,
     pub(super) dependent: Vec<usize>,
     /// Slopes of every speed by the independent ones.
@@ -121,7 +119,6 @@ impl SpeedProblem<'_> {
         rows
     }
 
-    /// Returns the row with the stated speeds substituted.
     fn without_stated(
         &mut self,
         row: &VelocityRow,
@@ -250,7 +247,6 @@ impl SpeedProblem<'_> {
         Ok(map)
     }
 
-    /// Expresses stated speeds over the independent ones.
     fn put_stated(&mut self, map: &mut SpeedMap, stated: &BTreeMap<usize, VelocityRow>) {
         let others: Vec<usize> =
             map.dependent.iter().copied().filter(|j| !stated.contains_key(j)).collect();

@@ -137,7 +137,6 @@ impl<'a> Orientations<'a> {
     }
 }
 
-/// Returns the terms of x · (matrix y).
 fn bilinear(
     graph: &mut Graph,
     x: &Components,
