@@ -4,6 +4,7 @@ use std::io::Write;
 
 use super::Failure;
 use host::control::{Reply, Request, send_to_host};
+use telemetry::request::KeyFigure;
 
 pub(super) fn ask(
     request: &Request,
@@ -16,6 +17,14 @@ pub(super) fn ask(
         Reply::Scene { toml } => write!(out, "{toml}")?,
         Reply::Where { address, token: _ } => writeln!(out, "{address}")?,
         Reply::Status { status } => writeln!(out, "{}", status.line())?,
+        Reply::Figures { figures, warnings, .. } => {
+            for KeyFigure { title, value, .. } in figures {
+                writeln!(out, "{title:66} {value:>10.3}")?;
+            }
+            if !warnings.is_empty() {
+                return Err(Failure::Running(warnings.join("\n")));
+            }
+        }
     }
     Ok(())
 }

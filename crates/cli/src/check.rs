@@ -1,14 +1,14 @@
 //! `letoff check FILE`: checks a scene, an instrument or a description of a model.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use documents::shown;
 
 use super::stable::check_stability;
 use super::{Failure, print_json};
-use scene::{FileKind, Library, check_file};
+use scene::{FileKind, Instrument, Library, check_file};
 
 /// What `letoff check` takes.
 #[derive(Clone, Debug, Args)]
@@ -38,7 +38,12 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
                 Err(diagnostics) => wrong.push(diagnostics),
             },
             Ok(_) if args.json => {}
-            Ok(kind) => writeln!(out, "{}: a good {}", shown(file), kind.name())?,
+            Ok(kind) => {
+                writeln!(out, "{}: a good {}", shown(file), kind.name())?;
+                if kind == FileKind::Instrument {
+                    base_note(file, out)?;
+                }
+            }
             Err(diagnostics) => wrong.push(diagnostics),
         }
     }
@@ -50,6 +55,20 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
     }
     let texts: Vec<_> = wrong.iter().map(mechanism::rendered).collect();
     Err(Failure::Usage(format!("{} wrong:\n{}", files(wrong.len()), texts.join("\n"))))
+}
+
+/// Reports an instrument whose base has changed since it was saved.
+fn base_note(file: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+    let instrument = Instrument::load(&Library::default(), &file.to_string_lossy());
+    let based = instrument.ok().and_then(|it| it.based);
+    if let Some(based) = based.filter(|it| it.has_changed) {
+        let base = based.base;
+        writeln!(
+            out,
+            "  plays as saved: {base} has changed since; remove [base_values] to follow it"
+        )?;
+    }
+    Ok(())
 }
 
 fn files(n: usize) -> String {

@@ -49,6 +49,8 @@ struct DashTarget {
     target: String,
     token: Option<String>,
     fingerprint: Option<String>,
+    /// Control socket of the host of this machine, which the window asks for the rest.
+    socket: Option<PathBuf>,
 }
 
 /// Opens the window and waits until it is closed, or until a signal ends both.
@@ -77,7 +79,7 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
 
 fn print(out: &mut dyn Write) -> Result<(), Failure> {
     let place = whereabouts();
-    let DashTarget { target, token, fingerprint } = place.map_err(|absent| match absent {
+    let DashTarget { target, token, fingerprint, .. } = place.map_err(|absent| match absent {
         Absent::Nobody(why) | Absent::Starting(why) | Absent::Refused(why) => Failure::Running(why),
     })?;
     let token = token.map_or_else(String::new, |token| format!("/?token={token}"));
@@ -92,7 +94,7 @@ fn print(out: &mut dyn Write) -> Result<(), Failure> {
 fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Failure> {
     if let Some(target) = &args.target {
         let (target, fingerprint) = (target.clone(), args.fingerprint.clone());
-        return Ok(Some(DashTarget { target, token: None, fingerprint }));
+        return Ok(Some(DashTarget { target, token: None, fingerprint, socket: None }));
     }
     match whereabouts() {
         Ok(place) => Ok(Some(place)),
@@ -105,24 +107,27 @@ fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Fa
 }
 
 impl DashTarget {
-    /// Returns the stream of a host's address, with the fingerprint, if any, after `#`.
+    /// Returns the stream of the host of this machine from its address, with the fingerprint, if
+    /// any, after `#`.
     fn said(address: &str, token: Option<String>) -> Self {
         let (target, fingerprint) = match address.split_once('#') {
             Some((target, fingerprint)) => (target, Some(fingerprint.to_owned())),
             None => (address, None),
         };
-        Self { target: target.to_owned(), token, fingerprint }
+        let socket = Some(socket_path());
+        Self { target: target.to_owned(), token, fingerprint, socket }
     }
 
     fn window(self, program: PathBuf) -> Command {
         let mut window = Command::new(program);
+        if let Some(socket) = self.socket {
+            // The window learns address and secret there, also of a host that was started again.
+            window.arg("--socket").arg(socket);
+            return window;
+        }
         window.arg(self.target);
         if let Some(fingerprint) = self.fingerprint {
             window.args(["--fingerprint", &fingerprint]);
-        }
-        if let Some(token) = self.token {
-            // Arguments are visible to all users of the machine.
-            window.env("LETOFF_TOKEN", token);
         }
         window
     }
@@ -140,7 +145,11 @@ fn whereabouts() -> Result<DashTarget, Absent> {
     match send(&socket_path(), &Request::Where {}) {
         Ok(Ok(Reply::Where { address, token })) => Ok(DashTarget::said(&address, token)),
         Ok(Ok(
-            Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. } | Reply::Status { .. },
+            Reply::Done { .. }
+            | Reply::Stopped { .. }
+            | Reply::Scene { .. }
+            | Reply::Figures { .. }
+            | Reply::Status { .. },
         )) => Err(Absent::Refused("the host that runs here said something else".into())),
         Ok(Err(why)) if why == STARTING => Err(Absent::Starting(why)),
         Ok(Err(why)) => Err(Absent::Refused(why)),

@@ -8,7 +8,8 @@ use tokio::task::JoinHandle;
 use super::{Failure, streaming, system, tell};
 use host::control::{
     Answers, Clients, ControlServer, ProgramListener, RepeatedLook, RequestHandler, StartingHost,
-    StreamAddress, StreamSink, follow_load, serve, socket_path, watch_descriptions,
+    StatusPublisher, StreamAddress, StreamSink, follow_load, serve, socket_path,
+    watch_descriptions,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
@@ -26,6 +27,7 @@ struct ServedStream {
     closer: Closer,
     news: String,
     serving: JoinHandle<std::io::Result<()>>,
+    status: StatusPublisher,
 }
 
 impl Endpoints {
@@ -45,7 +47,7 @@ impl Endpoints {
         // A client that asks for the stream's address waits until it exists.
         let address = stream.as_ref().map(|it| it.address.clone());
         let requests = starting.begin(scene.clone(), folders, address);
-        let stream = stream.map(|it| it.serve(&requests));
+        let stream = stream.map(|it| it.serve(&requests)).transpose().map_err(system)?;
         Ok(Self { clients, stream, requests: Some(requests) })
     }
 
@@ -61,13 +63,26 @@ impl Endpoints {
         requests.map(follow_load).transpose().map_err(system)
     }
 
-    /// Listens for program changes, until the result is dropped; logs a failure.
+    /// Listens for program changes, until the result is dropped; logs a failure. Also lists the
+    /// user's own instruments, which clients and programs may name.
     pub(super) fn hear_programs(&self) -> Option<ProgramListener> {
+        self.list_own_instruments();
         let started = ProgramListener::start(self.requests.as_ref()?);
         started.unwrap_or_else(|why| {
             tell(&format!("program changes are not heard: {why}"));
             None
         })
+    }
+
+    /// Lists the user's own instruments in the catalogue; their models may take a second to load.
+    fn list_own_instruments(&self) {
+        if let Some(requests) = self.requests() {
+            std::thread::spawn(move || requests.list_own_instruments());
+        }
+    }
+
+    pub(super) fn publisher(&self) -> Option<Publisher> {
+        self.stream.as_ref().map(|stream| stream.publisher.clone())
     }
 
     pub(super) fn requests(&self) -> Option<Arc<RequestHandler>> {
@@ -99,6 +114,7 @@ impl Endpoints {
         const GRACE: Duration = Duration::from_secs(4);
         let stream = async {
             if let Some(stream) = self.stream {
+                let _published = tokio::time::timeout(GRACE, stream.status.finish()).await;
                 stream.closer.close(why.to_owned());
                 let _closed = tokio::time::timeout(GRACE, stream.serving).await;
             }
@@ -177,11 +193,12 @@ impl ListeningStream {
         Ok(Some(Self { server, address, news }))
     }
 
-    fn serve(self, requests: &Arc<RequestHandler>) -> ServedStream {
+    fn serve(self, requests: &Arc<RequestHandler>) -> std::io::Result<ServedStream> {
         let Self { server, news, .. } = self;
         let (publisher, closer) = (server.publisher(), server.closer());
-        let requests = Arc::<RequestHandler>::clone(requests);
-        let serving = tokio::spawn(telemetry::stream::serve(server, requests));
-        ServedStream { publisher, closer, news, serving }
+        let its = Arc::<RequestHandler>::clone(requests);
+        let serving = tokio::spawn(telemetry::stream::serve(server, its));
+        let status = StatusPublisher::start(requests, publisher.clone())?;
+        Ok(ServedStream { publisher, closer, news, serving, status })
     }
 }

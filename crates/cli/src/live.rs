@@ -9,7 +9,9 @@ use std::sync::atomic::Ordering::Relaxed;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use telemetry::log::Level;
 
+use super::log::LogLines;
 use super::tell;
 use host::adapters::observer::LiveCounters;
 use host::session::{PianistProgress, RunSession};
@@ -30,22 +32,27 @@ pub(super) enum ProgressLines {
 pub(super) struct RehearsalProgress {
     bar: ProgressBar,
     lines: ProgressLines,
+    log: LogLines,
     n_lines: Arc<AtomicU64>,
 }
 
 impl RehearsalProgress {
-    pub(super) fn new(lines: ProgressLines) -> Self {
+    pub(super) fn new(lines: ProgressLines, log: LogLines) -> Self {
         let bar = ProgressBar::new(0).with_message("rehearsing");
         let bar = bar.with_style(style("{msg:12} {wide_bar} {pos}/{len} strokes {eta}"));
-        Self { bar, lines, n_lines: Arc::default() }
+        Self { bar, lines, log, n_lines: Arc::default() }
     }
 
     pub(super) fn show(&self, progress: PianistProgress) {
         let PianistProgress { done, total } = progress;
         self.bar.set_length(total as u64);
         self.bar.set_position(done as u64);
-        if self.bar.is_hidden() && self.lines == ProgressLines::Told && self.is_line_due() {
-            tell(&format!("rehearsed {done} of {total} notes"));
+        if self.is_line_due() {
+            let text = format!("rehearsed {done} of {total} notes");
+            self.log.say(Level::Info, text.clone());
+            if self.bar.is_hidden() && self.lines == ProgressLines::Told {
+                tell(&text);
+            }
         }
     }
 

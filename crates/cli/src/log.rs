@@ -12,6 +12,8 @@ use std::time::Duration;
 use indicatif::ProgressBar;
 use rustix::fs::fstat;
 use telemetry::log::Level;
+use telemetry::stream::Publisher;
+use telemetry::{Log, Update};
 use time::OffsetDateTime;
 
 use super::about;
@@ -97,6 +99,8 @@ pub(super) struct LogLines {
 #[derive(Debug, Default)]
 struct LogState {
     bar: Mutex<Option<ProgressBar>>,
+    /// Stream that carries the lines too.
+    stream: OnceLock<Publisher>,
     left_out: std::sync::atomic::AtomicU64,
 }
 
@@ -131,12 +135,31 @@ impl StderrLog {
     pub(super) fn say(&self, text: String) {
         self.lines().say(Level::Info, text);
     }
+
+    /// Returns a sender that publishes lines and does not keep the log open.
+    pub(super) fn publisher(&self) -> LogLines {
+        LogLines { lines: None, shared: Arc::clone(&self.shared) }
+    }
+
+    /// Publishes all later lines on a stream too.
+    pub(super) fn stream_to(&self, publisher: Publisher) {
+        let _first = self.shared.stream.set(publisher);
+    }
 }
 
 impl LogLines {
-    /// Sends a line; never waits.
+    fn publish(&self, level: Level, text: &str) {
+        if let Some(stream) = self.shared.stream.get() {
+            let at = OffsetDateTime::now_utc().unix_timestamp_nanos();
+            let entry = Log { level: level.into(), text: text.to_owned() };
+            stream.publish(u64::try_from(at).unwrap_or(0), &Update::Log(entry));
+        }
+    }
+
+    /// Publishes and sends a line; never waits.
     pub(super) fn say(&self, level: Level, text: String) {
         use std::sync::atomic::Ordering::Relaxed;
+        self.publish(level, &text);
         let Some(lines) = &self.lines else { return };
         if let Err(TrySendError::Full(_)) = lines.try_send((level, text)) {
             self.shared.left_out.fetch_add(1, Relaxed);

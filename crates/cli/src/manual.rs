@@ -55,9 +55,9 @@ mod tests {
 
     #[test]
     fn every_command_has_a_page_with_its_options_and_every_shell_knows_it() {
-        let folder = std::env::temp_dir().join(format!("letoff-manual-{}", std::process::id()));
-        run(&ManualArgs { folder: folder.clone() }).unwrap();
-        let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        run(&ManualArgs { folder: folder.path().to_owned() }).unwrap();
+        let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
         let shells = ["letoff.bash", "_letoff", "letoff.fish"].map(read);
         let commands = commands(&Letoff::command(), "letoff");
         assert!(commands.len() > 20, "{commands:?}");
@@ -69,7 +69,6 @@ mod tests {
             let last = name.rsplit('-').next().unwrap_or_default();
             assert!(shells.iter().all(|it| it.contains(last)), "{name}");
         }
-        std::fs::remove_dir_all(folder).unwrap();
     }
 
     #[test]

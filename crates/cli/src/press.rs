@@ -101,7 +101,7 @@ fn velocity(text: &str) -> Result<Velocity, String> {
     velocity.ok_or_else(|| format!("`{text}` is no velocity: give 1 to 127"))
 }
 
-fn key(text: &str) -> Result<KeyIndex, String> {
+pub(super) fn key(text: &str) -> Result<KeyIndex, String> {
     let numbered = text.parse().ok().and_then(KeyIndex::from_midi);
     let named = || text.parse().ok();
     numbered.or_else(named).ok_or_else(|| {

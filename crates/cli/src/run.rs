@@ -11,7 +11,7 @@ use clap::Args;
 use super::arguments::seconds;
 use super::attend::RunAttendant;
 use super::endpoints::{self, Endpoints, Reach};
-use super::log::{LogFormat, StderrLog};
+use super::log::{LogFormat, LogLines, StderrLog};
 use super::recording::RecordingArgs;
 use super::reload::{self, SceneFile};
 use super::service::ServiceNotifier;
@@ -20,13 +20,14 @@ use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_report, report_interpretation, system, tell};
-use host::control::{Clients, RunHandle, StartingHost, StatusSink, temporary_folder};
+use host::control::{BoardsTold, Clients, RunHandle, StartingHost, StatusSink, temporary_folder};
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::{ChosenFidelity, RunReport};
 use host::session::{FoundKeys, Healing, RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{Library, LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
+use telemetry::log::Level;
 
 /// What `letoff run` takes.
 #[expect(clippy::struct_excessive_bools, reason = "flags of a command line")]
@@ -185,6 +186,7 @@ async fn host(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunRepor
     let tried = begun.signals.unless_stopped(&begun.handle.emergency, work).await?;
     let Some(tried) = tried.transpose()? else {
         begun.handle.background.cancel_all();
+        drop(begun.handle.take_log());
         begun.clients.leave().await;
         return Ok(None);
     };
@@ -211,6 +213,8 @@ impl BegunHost {
         let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
         let handle = Arc::new(run_handle(options));
         handle.status.prepare(args.scene());
+        let lines = log.lines();
+        handle.log_early(LogSink::new(Box::new(move |level, text| lines.say(level, text))));
         let starting = Arc::new(StartingHost::new(Arc::clone(&handle)));
         let (clients, reach) = if options.virtual_time {
             (Clients::default(), Reach::default())
@@ -233,15 +237,16 @@ async fn play(
     reach.check_for(&scene.links)?;
     let log = log_with_boards(log, scene, args)?;
     handle.status.prepare(&scene.name);
-    let endpoints = if options.virtual_time {
-        Endpoints::default()
-    } else {
-        Endpoints::open(scene, &starting, clients, stream.as_ref())?
-    };
+    let open = || Endpoints::open(scene, &starting, clients, stream.as_ref());
+    let endpoints = if options.virtual_time { Endpoints::default() } else { open()? };
+    endpoints.publisher().into_iter().for_each(|it| log.stream_to(it));
     let progress = if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
     let mut notifier = ServiceNotifier::new(Arc::clone(&handle));
-    let prepared = Box::pin(prepare(found, options, &handle, &mut signals, progress));
+    let prepared =
+        Box::pin(prepare(found, options, &handle, &mut signals, (progress, log.publisher())));
     let Some(session) = notifier.beside(prepared).await? else {
+        handle.status.stop(BoardsTold::NONE_ARMED);
+        drop(handle.take_log());
         endpoints.leave("the host was stopped before it began to play").await;
         return Ok(None);
     };
@@ -256,7 +261,7 @@ async fn play(
     let line = live::StatusLine::new(&session);
     log.draw_above(line.bar());
     let stop = Arc::new(AtomicBool::new(false));
-    let its_stop = Arc::clone(&stop);
+    let (its_stop, was_ended) = (Arc::clone(&stop), Arc::clone(&stop));
     let _stops = StopOnDrop(Arc::clone(&stop));
     let mut attendant = RunAttendant {
         signals,
@@ -276,13 +281,27 @@ async fn play(
     let done = attendant.until_over(running).await;
     drop(attendant);
     handle.background.cancel_all();
-    let why = handle.emergency.answered().map_or("the run is over", |_| STOPPED);
+    let report = done.as_ref().ok().and_then(|done| done.as_deref().ok());
+    let why = note_end(&handle, report.filter(|_| !was_ended.load(Ordering::Acquire)));
     endpoints.leave(why).await;
     let done = done.map_err(|panic| Failure::Panicked(panic.to_string()))?;
     let mut report = done.map_err(|error| failure(&error))?;
     report.recording = recording.map(|it| it.report());
     report.fidelity = fidelity;
     Ok(Some(report))
+}
+
+/// Records in the status how the run ended, with its `report` if it came to its end; returns that
+/// end in words.
+fn note_end(handle: &RunHandle, report: Option<&RunReport>) -> &'static str {
+    if let Some(told) = handle.emergency.answered() {
+        handle.status.stop(told);
+        return STOPPED;
+    }
+    if let Some(report) = report {
+        handle.status.finish(report.sentence());
+    }
+    "the run is over"
 }
 
 /// A tried run: keys that were found, and are stable if simulated.
@@ -345,9 +364,11 @@ fn log_with_boards(log: StderrLog, scene: &Scene, args: &RunArgs) -> Result<Stde
 
 /// Logs the events of the run; in real time also notes its state, and keeps the last seconds.
 fn observe(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog) {
+    let early = session.handle().take_log();
     if !args.virtual_time || has_boards(scene) {
         let lines = log.lines();
-        let sink = LogSink::new(Box::new(move |level, text| lines.say(level, text)));
+        let new = || LogSink::new(Box::new(move |level, text| lines.say(level, text)));
+        let sink = early.filter(|_| !args.virtual_time).unwrap_or_else(new);
         session.observe(Box::new(if has_boards(scene) { sink.naming_boards() } else { sink }));
     }
     if args.virtual_time {
@@ -367,9 +388,9 @@ async fn prepare(
     options: RunOptions,
     handle: &Arc<RunHandle>,
     signals: &mut Signals,
-    progress: live::ProgressLines,
+    (progress, log): (live::ProgressLines, LogLines),
 ) -> Result<Option<RunSession>, Failure> {
-    let rehearsal = live::RehearsalProgress::new(progress);
+    let rehearsal = live::RehearsalProgress::new(progress, log.clone());
     let (its_handle, shown, notices) = (Arc::clone(handle), rehearsal.clone(), found.notices());
     let prepare = move || {
         RunSession::prepare_behind(its_handle, found, options, &|progress| shown.show(progress))
@@ -381,6 +402,7 @@ async fn prepare(
         handle.background.cancel_all();
     }
     for notice in prepared.iter().flat_map(|_| &notices) {
+        log.say(Level::Info, notice.clone());
         tell(notice);
     }
     Ok(prepared)

@@ -3,9 +3,10 @@
 use std::io::Write;
 
 use clap::Args;
-use telemetry::{BoardState, HostState, HostStatus, RunProgress};
+use telemetry::{BoardState, HostState, HostStatus, KeyIndex, RunProgress};
 use time::OffsetDateTime;
 
+use super::ask::ask;
 use super::{Failure, about, print_report};
 use host::control::{ControlError, Reply, Request, end_command, send_to_host};
 
@@ -14,15 +15,23 @@ use host::control::{ControlError, Reply, Request, end_command, send_to_host};
 #[command(after_help = "Examples:
   letoff status              the host of this user, or else the service's
   letoff status --json
+  letoff status --key C4     let-off, weights and repetition of a key as it plays now
 
-Exit codes: 0 a host runs; 1 it hangs, or does not answer to this user; 3 none runs.")]
+Exit codes: 0 a host runs; 1 it hangs, or does not answer to this user, or the key has a fault; 3
+none runs.")]
 pub struct StatusArgs {
     /// Prints it as JSON.
     #[arg(long)]
     pub json: bool,
+    /// Measures this key instead, as C4 or its MIDI number, and prints its figures and faults.
+    #[arg(long, conflicts_with = "json", value_parser = super::press::key)]
+    pub key: Option<KeyIndex>,
 }
 
 pub(super) fn run(args: &StatusArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(key) = args.key {
+        return ask(&Request::Figures { key: key.number() }, Failure::Running, out);
+    }
     let answer = send_to_host(&Request::Status {}).map_err(|error| {
         let is_nobody = matches!(error, ControlError::NoHost { .. });
         if is_nobody {

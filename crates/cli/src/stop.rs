@@ -30,6 +30,7 @@ fn report(asked: &[AskedHost], out: &mut dyn Write) -> Result<(), Failure> {
                 Reply::Done { .. }
                 | Reply::Scene { .. }
                 | Reply::Where { .. }
+                | Reply::Figures { .. }
                 | Reply::Status { .. },
             )) => failures.push(format!("{name}what answered is no host of this version")),
             Err(error) => failures.push(format!("{name}{error}")),

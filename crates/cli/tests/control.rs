@@ -45,6 +45,7 @@ fn ask(path: &Path, request: &Request) -> Result<String, String> {
                 reply @ (Reply::Stopped { .. }
                 | Reply::Scene { .. }
                 | Reply::Where { .. }
+                | Reply::Figures { .. }
                 | Reply::Status { .. }),
             ) => {
                 return Err(format!("{reply:?}"));

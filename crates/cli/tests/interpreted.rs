@@ -10,19 +10,10 @@ if ctypes.CDLL(None).prctl(PR_SET_MDWE, PR_MDWE_REFUSE_EXEC_GAIN, 0, 0, 0): sys.
 os.execv(sys.argv[1], sys.argv[1:])";
 
 /// Prints energy, work and end of half a second of model C, pressed.
-const STROKE: [&str; 8] = [
-    "simulate",
-    "reduced-grand",
-    "--until",
-    "0.5",
-    "--step",
-    "1e-3",
-    "--input",
-    "s=0.004*(1-cos(20*t))",
-];
+const STROKE: &str = "simulate reduced-grand --until 0.5 --step 1e-3 --input s=0.004*(1-cos(20*t))";
 
 fn simulated(command: &mut Command) -> Output {
-    command.args(STROKE).output().expect("a program that runs")
+    command.args(STROKE.split(' ')).output().expect("a program that runs")
 }
 
 #[test]

@@ -9,7 +9,7 @@ use host::replay::{ReplayError, Replayed, replay};
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
 use telemetry::Update;
-use telemetry::recording::{Recording, RecordingLimits};
+use telemetry::recording::{Recording, RecordingLimits, Selection, export_csv, marks};
 use telemetry::request::{Change, RenderSetting};
 
 use crate::common::{SILENT, run_while, scene, session};
@@ -148,21 +148,11 @@ fn a_changed_bit_is_found_where_it_is() {
 #[test]
 fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
     let file = folder("cut-off").join("a.mcap");
-    let parameters = [
-        ("g", "100"),
-        ("front", "0.5"),
-        ("drop", "0.015"),
-        ("shank", "0.16"),
-        ("ms", "0.0005"),
-        ("leads", "0"),
-        ("t_lever", "0"),
-        ("k_knuckle", "1e7"),
-        ("k_lever_pad", "0"),
-        ("wind_k", "1e-6"),
-        ("b_jack", "1"),
-    ];
-    let set = parameters.map(|(name, value)| (format!("keys.0.parameters.{name}"), value));
-    let mut set: Vec<_> = set.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let parameters = "g=100 front=0.5 drop=0.015 shank=0.16 ms=0.0005 leads=0 t_lever=0 \
+                      k_knuckle=1e7 k_lever_pad=0 wind_k=1e-6 b_jack=1";
+    let of_key = parameters.split(' ').map(|it| format!("keys.0.parameters.{it}"));
+    let of_key: Vec<_> = of_key.collect();
+    let mut set: Vec<_> = of_key.iter().filter_map(|it| it.split_once('=')).collect();
     set.extend([("keys.0.range", "C4..C4"), SILENT]);
     let scene = scene("default", &set);
     record(&scene, RunOptions { duration: Some(0.5), virtual_time: false }, &file);
@@ -185,6 +175,33 @@ fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     assert_eq!(messages.iter().filter(is_kept).count(), 20);
     let replayed = replay(messages.into_iter(), |_| {}).expect("a replay");
     assert_eq!(replayed.first_difference, None);
+    check_changes(&file);
+}
+
+/// Checks that each change of [`tuned`] is a mark and a row of the exported events.
+#[track_caller]
+fn check_changes(file: &Path) {
+    let recording = Recording::open(file).expect("a recording");
+    let sets = (1..20).map(|n| format!("test: C4 k2 {} -> {} N/m", 799 + n, 800 + n));
+    let expected: Vec<_> = sets.chain(["test: 5 keys are now spring-wall".to_owned()]).collect();
+    let texts: Vec<_> = marks(&recording).map(|it| it.text).collect();
+    let found: Vec<_> = texts.iter().filter(|it| it.starts_with("test: ")).cloned().collect();
+    // The first one replaces the value of the scene.
+    assert!(found[0].starts_with("test: C4 k2 ") && found[0].ends_with(" -> 800 N/m"), "{found:?}");
+    assert_eq!(found[1..], expected);
+    let table = file.with_extension("tables");
+    std::fs::create_dir_all(&table).expect("a folder");
+    export_csv(&recording, &table, &Selection::default()).expect("tables");
+    let events = std::fs::read_to_string(table.join("events.csv")).expect("events");
+    let rows: Vec<_> = events.lines().filter(|row| row.contains(",change,")).collect();
+    assert_eq!(rows.len(), found.len(), "{rows:?}");
+    let ticks = rows.iter().map(|row| row.split(',').nth(1).and_then(|it| it.parse().ok()));
+    let ticks: Vec<u64> = ticks.map(|tick| tick.expect("a tick")).collect();
+    assert!(ticks.is_sorted() && 0 < ticks[20], "{ticks:?}");
+    for (row, text) in rows.iter().zip(&found) {
+        assert!(row.ends_with(text), "{row} is not {text}");
+    }
+    assert!(rows[..20].iter().all(|row| row.contains(",39,change,")), "{rows:?}");
 }
 
 /// Asks until the host runs.
@@ -211,6 +228,7 @@ fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
         for n in 0..20 {
             ask(mass(800.0 + f64::from(n)));
             ask(Request::Press { key: 39, newtons: f64::from(n % 5) * 2.0 });
+            std::thread::sleep(std::time::Duration::from_millis(20));
         }
         ask(Request::UseInstrument {
             instrument: "spring-wall".into(),

@@ -143,7 +143,7 @@ fn a_key_is_pressed_as_long_as_the_command_runs_and_let_go_if_it_is_killed() {
     let folder = Folder::new("press");
     let host = Host::start(&folder, &[], &[]);
     playing(&folder);
-    let dial = Dial { address: host.address(), token: host.token.clone(), pin: None };
+    let dial = Dial { address: host.address(), token: host.token.clone(), ..Dial::default() };
     let client = &mut Client::connect(dial, None);
     client.follow(&BTreeSet::from([Topic::Overview]));
     let deep =

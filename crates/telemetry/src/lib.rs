@@ -17,26 +17,29 @@
 //! | `/links` | [`Links`] | once a second |
 //! | `/midi` | [`Midi`] | as they are sent |
 //! | `/log` | [`Log`] | when there is something to read |
+//! | `/status` | [`Status`] | with each change, and once a second |
 //!
 //! [`stream`] contains the server and the client.
 
 #![forbid(unsafe_code)]
 
 mod file;
+mod host_status;
+mod key_block;
 mod keys;
 mod messages;
 pub mod metrics;
 pub mod recording;
 pub mod request;
+mod role;
 pub mod source;
-mod status;
 pub mod stream;
 pub mod topic;
 
-pub use keyboard::{KEYS, KeyIndex};
+pub use host_status::{BoardState, DeadlineStatus, HostState, HostStatus, RunProgress, Severity};
+pub use keyboard::{Difference, KEYS, KeyIndex};
 pub use keys::key_name;
 pub use messages::*;
 pub use request::{Reply, Request};
 pub use source::{Arrival, ConnectionState, Source, Timeline};
-pub use status::{BoardState, DeadlineStatus, HostState, HostStatus, RunProgress};
 pub use topic::{Topic, Update};

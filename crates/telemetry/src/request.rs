@@ -1,5 +1,6 @@
 //! Requests of a client, and the host's replies.
 
+use keyboard::Difference;
 use serde::{Deserialize, Serialize};
 
 use crate::HostStatus;
@@ -17,6 +18,24 @@ pub enum Request {
         /// Name or file of the instrument.
         instrument: String,
         keys: Option<String>,
+    },
+    /// Lets a saved instrument play a range of keys, with the present values of its base instead of
+    /// those that it was saved with.
+    FollowBase {
+        /// Name or file of the instrument.
+        instrument: String,
+        keys: Option<String>,
+    },
+    /// Saves differences from an instrument as an instrument of their own, among those that clients
+    /// may use.
+    SaveInstrument {
+        /// Its name: that of a file without folder and ending.
+        name: String,
+        /// Name of the instrument that is changed, as its voices report it.
+        base: String,
+        differences: Vec<ParameterDifferences>,
+        /// `true` to replace an instrument with this name.
+        overwrite: bool,
     },
     /// Reads the description of a model and lets its newest version play.
     Load {
@@ -42,6 +61,12 @@ pub enum Request {
     /// Measures by which factor a key's force may grow until it is unstable, as it plays now, and
     /// the weights that move it.
     Margin {
+        /// Number of the key, 0 (A0) to 87 (C8).
+        key: u8,
+    },
+    /// Measures let-off, weights, strokes and repetition of a key with its present values, apart
+    /// from the run, and compares them with what its instrument expects.
+    Figures {
         /// Number of the key, 0 (A0) to 87 (C8).
         key: u8,
     },
@@ -72,6 +97,15 @@ pub struct Change {
     pub parameter: String,
     /// Value in the parameter's unit.
     pub value: f64,
+}
+
+/// Differences of a parameter from its instrument.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ParameterDifferences {
+    pub parameter: String,
+    /// Numbers of keys, 0 (A0) to 87 (C8), and their differences.
+    pub keys: Vec<(u8, Difference)>,
 }
 
 /// A setting of a scene's table `render`.
@@ -125,4 +159,31 @@ pub enum Reply {
     },
     /// Status of the host.
     Status { status: Box<HostStatus> },
+    /// Figures of a key with its present values.
+    Figures {
+        key: u8,
+        figures: Vec<KeyFigure>,
+        /// A sentence on each fault of the key, the worst first; empty for a good one.
+        warnings: Vec<String>,
+    },
+}
+
+/// A measured figure of a key, with the range that its instrument expects.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct KeyFigure {
+    /// Name in the table `figures` of an instrument.
+    pub name: String,
+    /// Title for people, with the unit of the value in brackets.
+    pub title: String,
+    pub value: f64,
+    pub low: Option<f64>,
+    pub high: Option<f64>,
+}
+
+impl KeyFigure {
+    /// Returns `true` if the value is in the expected range, or none is expected.
+    pub fn is_expected(&self) -> bool {
+        self.low.is_none_or(|low| low <= self.value)
+            && self.high.is_none_or(|high| self.value <= high)
+    }
 }

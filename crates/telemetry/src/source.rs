@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
+use crate::role::Role;
 use crate::{Reply, Request, Topic, Update};
 
 /// Number of a request, which its reply carries.
@@ -31,9 +32,11 @@ pub enum ConnectionState {
     Live,
     /// The host does not answer, for this reason; the source tries again.
     Lost(String),
-    /// The host rejects the connection, for this reason; the source does not try again.
+    /// The host rejects the connection, for this reason; the source tries again at longer intervals.
     Refused(String),
     Recording,
+    /// A recording that repeats.
+    Demonstration,
 }
 
 /// A live host or a recording. Nothing here waits.
@@ -50,6 +53,11 @@ pub trait Source: fmt::Debug {
 
     /// Returns the address or file to display.
     fn name(&self) -> String;
+
+    /// Returns the rights that a host granted; `None` without a connection.
+    fn role(&self) -> Option<Role> {
+        None
+    }
 
     /// Returns the timeline, if the time can be chosen.
     fn timeline(&mut self) -> Option<&mut dyn Timeline> {

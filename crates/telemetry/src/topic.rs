@@ -6,7 +6,7 @@ use prost::Message as _;
 
 use crate::{
     Catalogue, Deadlines, Event, KEYS, KeyBlock, KeyIndex, KeyState, Links, Log, Midi, Overview,
-    Ticks, Voice,
+    Status, Ticks, Voice,
 };
 
 /// Name under which messages are sent.
@@ -24,11 +24,12 @@ pub enum Topic {
     Links,
     Midi,
     Log,
+    Status,
 }
 
 impl Topic {
     /// Topics that are not of one key.
-    pub const COMMON: [Self; 9] = [
+    pub const COMMON: [Self; 10] = [
         Self::Catalogue,
         Self::Voices,
         Self::Overview,
@@ -38,6 +39,7 @@ impl Topic {
         Self::Links,
         Self::Midi,
         Self::Log,
+        Self::Status,
     ];
 
     /// Returns every topic, those of keys after the common ones.
@@ -69,6 +71,7 @@ impl Topic {
             Self::Links => Some("/links"),
             Self::Midi => Some("/midi"),
             Self::Log => Some("/log"),
+            Self::Status => Some("/status"),
             Self::Block(_) | Self::State(_) => None,
         }
     }
@@ -87,6 +90,7 @@ impl Topic {
             Self::Links => "letoff.telemetry.Links",
             Self::Midi => "letoff.telemetry.Midi",
             Self::Log => "letoff.telemetry.Log",
+            Self::Status => "letoff.telemetry.Status",
         }
     }
 }
@@ -104,7 +108,8 @@ impl fmt::Display for Topic {
             | Self::Deadlines
             | Self::Links
             | Self::Midi
-            | Self::Log => f.write_str(self.common_name().unwrap_or_default()),
+            | Self::Log
+            | Self::Status => f.write_str(self.common_name().unwrap_or_default()),
         }
     }
 }
@@ -140,6 +145,7 @@ pub enum Update {
     Links(Links),
     Midi(Midi),
     Log(Log),
+    Status(Status),
 }
 
 impl Update {
@@ -160,6 +166,7 @@ impl Update {
             Self::Links(_) => Some(Topic::Links),
             Self::Midi(_) => Some(Topic::Midi),
             Self::Log(_) => Some(Topic::Log),
+            Self::Status(_) => Some(Topic::Status),
         }
     }
 
@@ -176,6 +183,7 @@ impl Update {
             Self::Links(it) => it.encode_to_vec(),
             Self::Midi(it) => it.encode_to_vec(),
             Self::Log(it) => it.encode_to_vec(),
+            Self::Status(it) => it.encode_to_vec(),
         }
     }
 
@@ -194,6 +202,7 @@ impl Update {
             Topic::Links => Links::decode(bytes).map(Self::Links),
             Topic::Midi => Midi::decode(bytes).map(Self::Midi),
             Topic::Log => Log::decode(bytes).map(Self::Log),
+            Topic::Status => Status::decode(bytes).map(Self::Status),
         };
         decoded.map_err(|cause| TopicDecodeError { topic, cause })
     }

@@ -74,7 +74,7 @@ fn an_independent_client_watches_sets_and_calls() {
     is_over.store(true, Ordering::Relaxed);
     publishing.join().expect("it published");
     let expected = "\
-channels: 185
+channels: 186
 messages: decoded by their own schema
 parameters: set, and seen by another client
 refused string: the value for \"/key/39/m\" is no finite number: send a number in the parameter's unit

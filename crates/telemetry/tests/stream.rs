@@ -232,11 +232,15 @@ fn a_host_that_fails_over_a_request_goes_on() {
 #[test]
 fn a_token_is_asked_for_and_makes_the_role() {
     let test_server = TestServer::with(guarded());
-    for dial in [dial(&test_server), with_token(&test_server, "see")] {
+    let wrong = with_token(&test_server, "see");
+    for (dial, words) in [
+        (dial(&test_server), "this host asks for a token: give it as ?token=..."),
+        (wrong, "this host does not know the given token"),
+    ] {
         let mut watcher = Watcher::new(dial);
         let standing = watcher.stands(|standing| *standing != ConnectionState::Connecting);
         let ConnectionState::Refused(text) = standing else { panic!("{standing:?}") };
-        assert!(text.starts_with("this host asks for a token: give it as ?token=..."), "{text}");
+        assert!(text.starts_with(words), "{text}");
     }
     let mut tuner = Watcher::new(with_token(&test_server, TUNE));
     tuner.connected();

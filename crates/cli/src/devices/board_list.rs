@@ -162,8 +162,7 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     link
 }
 
-/// Requests the light, mutes and unmutes keys, and starts the bootloader, as asked for; `done`
-/// receives a sentence on each.
+/// Does the requested actions on a board; `done` receives a sentence on each.
 fn change(
     args: &DevicesArgs,
     found: &FoundBoard,

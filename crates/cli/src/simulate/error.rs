@@ -110,7 +110,6 @@ pub enum SimulateMistake {
     /// More ticks than can be computed in a day.
     #[error("--until / --step are {ticks:e} ticks, more than {most:e}: take a longer --step")]
     TooManyTicks { ticks: f64, most: f64 },
-    /// A model without an initial mode.
     #[error("the model is not at rest anywhere at t = 0: give --initial for every state")]
     NoStart,
     #[error(transparent)]

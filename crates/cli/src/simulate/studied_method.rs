@@ -5,8 +5,7 @@ use pode::{Nature, Stepper as _};
 
 /// A method of simulations.
 ///
-/// Taylor's is not part of [`Any`]: it holds whole expansions, for which a keyboard's voices have
-/// no room.
+/// Taylor's is not part of [`Any`]: it holds expansions too large for a keyboard's voices.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum StudiedMethod {
     OneOfMany(Any),

@@ -38,14 +38,22 @@ fn requests() -> Vec<Request> {
         Request::Set { changes },
         Request::Render { settings: vec![passivity] },
         Request::UseInstrument { instrument: "spring-wall".into(), keys: Some("C4".into()) },
+        Request::FollowBase { instrument: "spring-wall".into(), keys: None },
         Request::Load { description: "absent.toml".into(), keys: None },
         Request::Press { key: 39, newtons: 1.0 },
         Request::Grip { key: 39, depth: Some(0.5) },
         Request::Margin { key: 39 },
+        Request::Figures { key: 39 },
         Request::Identify { line: 0, board: 0 },
         Request::Scene {},
         Request::Where {},
         Request::Status {},
+        Request::SaveInstrument {
+            name: "absent/folder".into(),
+            base: "spring-wall".into(),
+            differences: Vec::new(),
+            overwrite: false,
+        },
         Request::Record { file: Some("take.mcap".into()) },
         Request::Stop {},
     ]
@@ -70,10 +78,20 @@ fn cell(request: &Request, answer: Option<Result<(), String>>) -> &'static str {
         None => "–",
         Some(Ok(())) => "yes",
         Some(Err(why)) if why.contains("may not do this") => "no",
-        // There is no board and no such file: this error means that the client may ask.
-        Some(Err(_)) if matches!(request, Request::Identify { .. } | Request::Load { .. }) => "yes",
+        // There is no board, no such file and no base: this error means that the client may ask.
+        Some(Err(_)) if is_in_vain(request) => "yes",
         Some(Err(why)) => unreachable!("{request:?}: {why}"),
     }
+}
+
+const fn is_in_vain(request: &Request) -> bool {
+    matches!(
+        request,
+        Request::Identify { .. }
+            | Request::Load { .. }
+            | Request::FollowBase { .. }
+            | Request::SaveInstrument { .. }
+    )
 }
 
 /// Returns the answer to `request` once the host runs; it listens before.

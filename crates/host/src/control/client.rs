@@ -111,7 +111,10 @@ const fn command(request: &Request) -> &'static str {
         Request::Where {}
         | Request::Set { .. }
         | Request::Grip { .. }
+        | Request::FollowBase { .. }
+        | Request::SaveInstrument { .. }
         | Request::Margin { .. }
+        | Request::Figures { .. }
         | Request::Identify { .. }
         | Request::Scene {}
         | Request::Record { .. } => "letoff dash",

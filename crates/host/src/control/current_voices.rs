@@ -6,6 +6,7 @@ use std::sync::Arc;
 use instruments::{LoadedModel, Parameter};
 use keyboard::{KeyIndex, KeyRange};
 use mechanism::unmet;
+use telemetry::key_name;
 use telemetry::request::Change;
 use telemetry::stream::ParameterSetting;
 
@@ -13,7 +14,7 @@ use super::description_states::known_path;
 use super::new_voice::{NewVoice, VoiceHandover};
 use crate::observe::instrument_of;
 use documents::{choice, quoted};
-use scene::{KeyVoice, Render, Scene, Voicing};
+use scene::{InstrumentFile, KeyVoice, Render, Scene, Voicing};
 
 #[derive(Clone, Debug)]
 pub(super) struct CurrentVoices {
@@ -87,6 +88,36 @@ impl CurrentVoices {
         }
         let values = |voice| NewVoice { voice, handover: VoiceHandover::Values };
         Ok(voices.into_iter().map(|(key, voice)| (key, values(voice))).collect())
+    }
+
+    /// Returns a sentence on the values that `changes` change, with those before, and their number.
+    /// `None` if no value changes.
+    pub(super) fn described(&self, changes: &[Change]) -> Option<(String, u32)> {
+        let mut by_name: BTreeMap<&str, Vec<(u8, String)>> = BTreeMap::new();
+        for Change { key, parameter: wanted, value } in changes {
+            let voice = self.voice(*key).ok()?;
+            let index = voice.model.parameters.iter().position(|it| it.name == wanted)?;
+            let (Parameter { unit, .. }, before) =
+                (&voice.model.parameters[index], voice.values[index]);
+            if before.to_bits() != value.to_bits() {
+                let text = format!("{before} -> {value}{}", suffix(unit));
+                by_name.entry(wanted).or_default().push((*key, text));
+            }
+        }
+        let count = by_name.values().map(Vec::len).sum::<usize>();
+        let sentence = |(name, changes): (&&str, &Vec<(u8, String)>)| {
+            let (first, last) = (changes.first()?, changes.last()?);
+            let of = |(key, text): &(u8, String)| format!("{} {text}", key_name((*key).into()));
+            Some(match changes.len() {
+                1 => format!("{} {name} {}", key_name(first.0.into()), first.1),
+                n => format!("{name} of {n} keys: {} to {}", of(first), of(last)),
+            })
+        };
+        let mut sentences: Vec<_> = by_name.iter().take(MOST_TOLD).filter_map(sentence).collect();
+        let more = by_name.len().saturating_sub(MOST_TOLD);
+        sentences.extend((0 < more).then(|| format!("and {more} more")));
+        let count = u32::try_from(count).unwrap_or(u32::MAX);
+        (0 < count).then(|| (sentences.join("; "), count))
     }
 
     /// Returns the voices for `model` on `keys`, or else on those that play another version of its
@@ -164,6 +195,18 @@ impl CurrentVoices {
         self.changed.get(index)?.is_empty().then_some(name)
     }
 
+    /// Returns the files of playing instruments that are no part of the program.
+    pub(super) fn files(&self) -> impl Iterator<Item = &InstrumentFile> {
+        self.keys.iter().flatten().filter_map(|voice| voice.file.as_deref())
+    }
+
+    /// Returns the keys of the instrument `name` and their voices.
+    pub(super) fn played_by(&self, name: &str) -> Vec<(u8, &KeyVoice)> {
+        let voices = (0..).zip(self.keys.iter().zip(&self.instruments));
+        let of_name = voices.filter(|(_, (_, instrument))| instrument.as_deref() == Some(name));
+        of_name.filter_map(|(key, (voice, _))| Some((key, voice.as_ref()?))).collect()
+    }
+
     /// Returns the distinct models of all voices.
     pub(super) fn models(&self) -> Vec<Arc<LoadedModel>> {
         crate::observe::distinct(self.keys.iter().flatten().map(|voice| &voice.model))
@@ -237,9 +280,12 @@ fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
     if (*low..=*high).contains(&value) {
         return Ok(());
     }
-    // The unit 1 is not printed.
-    let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
-    Err(format!("{name} is {low} to {high}{unit}, not {value:?}"))
+    Err(format!("{name} is {low} to {high}{}, not {value:?}", suffix(unit)))
+}
+
+/// Returns the unit after a number; the unit 1 is not printed.
+fn suffix(unit: &str) -> String {
+    if unit == "1" { String::new() } else { format!(" {unit}") }
 }
 
 #[cfg(test)]
@@ -267,6 +313,19 @@ mod tests {
             voice.values[index.expect("a parameter")]
         };
         assert!((value(3, "k2") - 900.0).abs() < 1e-12 && (value(4, "g") - 8.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn changes_are_described_with_the_values_before() {
+        let playing = playing();
+        let before = |key: u8| playing.setting(&format!("/key/{key}/g")).expect("a value").value;
+        let one = playing.described(&[change(39, "g", 9.0)]);
+        assert_eq!(one, Some((format!("C4 g {} -> 9 m/s²", before(39)), 1)));
+        let all: Vec<_> = (0..88).map(|key| change(key, "g", 9.0)).collect();
+        let (low, high) = (before(0), before(87));
+        let text = format!("g of 88 keys: A0 {low} -> 9 m/s² to C8 {high} -> 9 m/s²");
+        assert_eq!(playing.described(&all), Some((text, 88)));
+        assert_eq!(playing.described(&[change(39, "g", before(39))]), None);
     }
 
     #[test]

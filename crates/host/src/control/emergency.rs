@@ -22,6 +22,7 @@ impl BoardsTold {
 
     pub fn reply(self) -> Reply {
         let Self { told, boards } = self;
+        let [n_told, n_boards] = self.counts();
         let text = if boards == 0 {
             "stopped before any board was armed: nothing will play".to_owned()
         } else if told == boards {
@@ -35,8 +36,12 @@ impl BoardsTold {
                  others, or see that their watchdogs have taken their forces away"
             )
         };
-        let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-        Reply::Stopped { text, told: count(told), boards: count(boards) }
+        Reply::Stopped { text, told: n_told, boards: n_boards }
+    }
+
+    /// Returns the numbers of boards told and of all.
+    pub(super) fn counts(self) -> [u32; 2] {
+        [self.told, self.boards].map(|n| u32::try_from(n).unwrap_or(u32::MAX))
     }
 }
 

@@ -5,8 +5,11 @@ use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Component, Path, PathBuf};
 
 use documents::{choice, is_unprintable, quoted, shown};
-use scene::instruments;
+use scene::{instrument_heads, instruments, is_description};
 use telemetry::recording::RecordingLimits;
+
+/// Largest number of the user's own instruments in lists.
+const MAX_LISTED: usize = 500;
 
 /// Folders in which clients of the stream may name files; `None` allows none.
 #[derive(Clone, Debug, Default)]
@@ -57,6 +60,36 @@ impl Folders {
         })
     }
 
+    /// Returns the path of a new instrument `name` of a client; makes its folder if needed.
+    ///
+    /// # Errors
+    /// A sentence if the name is not allowed.
+    pub(super) fn new_instrument(&self, name: &str) -> Result<PathBuf, String> {
+        let folder = self.instruments.as_deref();
+        let folder =
+            folder.ok_or("this host has no folder of instruments: give it --instruments FOLDER")?;
+        if is_embedded(name) {
+            return Err(format!("{name} is an instrument of the program: choose another name"));
+        }
+        let file = file_in(folder, name).filter(|_| !name.contains('.')).ok_or_else(|| {
+            format!("{} is no name of an instrument: give one without / and .", quoted(name))
+        })?;
+        let made = DirBuilder::new().recursive(true).mode(0o700).create(folder);
+        made.map_err(|error| format!("the folder {} cannot be made: {error}", shown(folder)))?;
+        Ok(file.with_added_extension("toml"))
+    }
+
+    /// Returns names and paths of the instruments in the folder, at most [`MAX_LISTED`].
+    pub(super) fn own_instruments(&self) -> Vec<(String, PathBuf)> {
+        let entries = self.instruments.as_deref().and_then(|folder| fs::read_dir(folder).ok());
+        let paths = entries.into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
+        let files = paths.filter(|path| has_ending(path, "toml") && !is_description(path));
+        let mut named: Vec<_> =
+            files.filter_map(|path| Some((stem(&path)?, path))).take(MAX_LISTED).collect();
+        named.sort();
+        named
+    }
+
     /// Returns the path of a client's description `name` among the instruments.
     ///
     /// # Errors
@@ -80,6 +113,23 @@ impl Folders {
         let is_inside = file.starts_with(fs::canonicalize(folder).ok()?);
         is_inside.then(|| file.to_string_lossy().into_owned())
     }
+}
+
+/// Treatment of a file that has the name of a new one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Overwriting {
+    Allowed,
+    Refused,
+}
+
+/// Returns `true` if an instrument of the program has this name.
+pub(super) fn is_embedded(name: &str) -> bool {
+    instrument_heads().iter().any(|head| head.name == name)
+}
+
+/// Returns the name in lists of an instrument's file.
+fn stem(path: &Path) -> Option<String> {
+    Some(path.file_stem()?.to_str()?.to_owned())
 }
 
 /// Returns the file `name` in `folder`; `None` if it would be elsewhere or hidden.

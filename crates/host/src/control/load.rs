@@ -99,6 +99,11 @@ impl RequestHandler {
         self.run.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
     }
 
+    pub(super) fn send_catalogue(&self) {
+        let playing = self.playing();
+        self.run.tell(self.catalogue(playing.render, &playing.models(), &self.states()));
+    }
+
     pub(super) fn begin_to_watch(&self) {
         let playing = self.playing();
         let mut states = self.states();
@@ -138,6 +143,7 @@ impl RequestHandler {
     ) -> TelemetryMessage {
         let mut catalogue = observe::catalogue(&Scene { render, ..self.scene.clone() }, models);
         states.complete(&mut catalogue.descriptions);
+        catalogue.instruments.extend(self.own_entries());
         TelemetryMessage::Catalogue(Box::new(catalogue))
     }
 }

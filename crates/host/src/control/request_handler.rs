@@ -16,6 +16,7 @@ use telemetry::{Event, Reply, Request, Update, event};
 
 use super::current_voices::{CurrentVoices, is_absent, single};
 use super::description_states::DescriptionStates;
+use super::folders::{Overwriting, is_embedded};
 use super::new_voice::{NewVoice, VoiceHandover};
 use super::{Answer, Answers, FingerOwner, Folders, RunHandle};
 use crate::observe::{self, Origin, TelemetryMessage};
@@ -33,11 +34,13 @@ const ALL_KEYS: &str = "A0..C8";
 pub struct RequestHandler {
     pub(super) scene: Scene,
     pub(super) run: Arc<RunHandle>,
-    folders: Folders,
+    pub(super) folders: Folders,
     /// Voices after the last change, on which the next change builds.
     playing: Mutex<CurrentVoices>,
     /// Descriptions that were read while they play; locked after the voices.
     states: Mutex<DescriptionStates>,
+    /// Instruments of the user that were read, by name.
+    own_instruments: Mutex<BTreeMap<String, Arc<Instrument>>>,
     stream: Option<StreamAddress>,
 }
 
@@ -55,7 +58,16 @@ impl RequestHandler {
     /// name files in `folders`.
     pub fn new(scene: Scene, run: Arc<RunHandle>, folders: Folders) -> Self {
         let playing = Mutex::new(CurrentVoices::new(&scene));
-        Self { scene, run, folders, playing, states: Mutex::default(), stream: None }
+        let own_instruments = Mutex::default();
+        Self {
+            scene,
+            run,
+            folders,
+            playing,
+            states: Mutex::default(),
+            own_instruments,
+            stream: None,
+        }
     }
 
     pub fn with_stream(
@@ -83,6 +95,14 @@ impl RequestHandler {
             Request::UseInstrument { instrument, keys } => {
                 self.switch(instrument, keys.as_deref(), (who, by))?
             }
+            Request::FollowBase { instrument, keys } => {
+                self.follow_base(instrument, keys.as_deref(), (who, by))?
+            }
+            Request::SaveInstrument { name, base, differences, overwrite } => {
+                let overwriting =
+                    if *overwrite { Overwriting::Allowed } else { Overwriting::Refused };
+                self.save_instrument((name, base), (differences, overwriting), (who, by))?
+            }
             Request::Load { description, keys } => {
                 self.load(description, keys.as_deref(), (who, by))?
             }
@@ -99,6 +119,7 @@ impl RequestHandler {
                 }
             }
             Request::Margin { key } => self.margin(*key)?,
+            Request::Figures { key } => return self.figures(*key),
             Request::Identify { line, board } => self.run.identify(*line, *board)?,
             Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
             Request::Where {} => return self.whereabouts(),
@@ -153,7 +174,13 @@ impl RequestHandler {
         let mut playing = self.playing();
         let voices = playing.changed(changes)?;
         let n = voices.len();
+        let description = playing.described(changes);
+        let only = voices.keys().next().copied().filter(|_| n == 1);
         self.put_in(&mut playing, voices, None, who)?;
+        if let Some((text, count)) = description {
+            let key = only.map_or(observe::NO_KEY, u32::from);
+            self.run.tell(changed(Event { key, to: count, text, ..Event::default() }, who));
+        }
         Ok(format!("{} values on {n} keys", changes.len()))
     }
 
@@ -167,17 +194,45 @@ impl RequestHandler {
             return self.load(name, keys.or(Some(ALL_KEYS)), (who, by));
         }
         // Its model may be a description.
-        let instrument =
-            self.run.background.load(by, |_flag| Instrument::load(&self.scene.library, name))?;
-        let instrument = instrument.map_err(|it| it.to_string())?;
+        let instrument = self.load_instrument(name, by)?;
+        self.play_instrument(&instrument, (name, keys), who)
+    }
+
+    /// Plays the instrument `name` with the present values of its base.
+    fn follow_base(
+        &self,
+        name: &str,
+        keys: Option<&str>,
+        (who, by): (&str, FingerOwner),
+    ) -> Result<String, String> {
+        let instrument = self.load_instrument(name, by)?.on_present_base();
+        let instrument = instrument.map_err(|it| format!("{name} cannot follow its base: {it}"))?;
+        self.play_instrument(&instrument, (name, keys), who)
+    }
+
+    fn play_instrument(
+        &self,
+        instrument: &Instrument,
+        (name_or_path, keys): (&str, Option<&str>),
+        who: &str,
+    ) -> Result<String, String> {
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
         let keys = self.playing().keys_in(range)?;
-        self.refuse_unfit(&instrument, &keys)?;
+        self.refuse_unfit(instrument, &keys)?;
         let mut playing = self.playing();
+        let is_own = !is_embedded(name_or_path);
+        if is_own {
+            let own = Arc::new(instrument.clone());
+            self.own_instruments().insert(instrument.name.clone(), own);
+        }
         let voice = |key| NewVoice::anew(&instrument.voicing, key, &instrument.name);
         let voices: BTreeMap<_, _> = keys.into_iter().map(|key| (key, voice(key))).collect();
         let n = voices.len();
-        let catalogue = self.catalogue_with(&playing, instrument.model());
+        let mut catalogue = self.catalogue_with(&playing, instrument.model());
+        if is_own && catalogue.is_none() {
+            let models = playing.models();
+            catalogue = Some(self.catalogue(playing.render, &models, &self.states()));
+        }
         self.put_in(&mut playing, voices, catalogue, who)?;
         let text = format!("{n} keys are now {}", instrument.name);
         self.tell(&text, who);
@@ -251,17 +306,16 @@ impl RequestHandler {
     }
 
     pub(super) fn tell(&self, text: &str, who: &str) {
-        let event = Event {
-            kind: event::Kind::Change.into(),
-            key: observe::NO_KEY,
-            text: format!("{who}: {text}"),
-            ..Event::default()
-        };
-        self.run.tell(TelemetryMessage::Update(Box::new(Update::Event(event))));
+        let text = text.to_owned();
+        self.run.tell(changed(Event { key: observe::NO_KEY, text, ..Event::default() }, who));
     }
 
     pub(super) fn playing(&self) -> MutexGuard<'_, CurrentVoices> {
         self.playing.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub(super) fn own_instruments(&self) -> MutexGuard<'_, BTreeMap<String, Arc<Instrument>>> {
+        self.own_instruments.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub(super) fn states(&self) -> MutexGuard<'_, DescriptionStates> {
@@ -274,6 +328,9 @@ impl RequestHandler {
             Request::UseInstrument { instrument, keys } => {
                 Request::UseInstrument { instrument: self.folders.instrument(&instrument)?, keys }
             }
+            Request::FollowBase { instrument, keys } => {
+                Request::FollowBase { instrument: self.folders.instrument(&instrument)?, keys }
+            }
             Request::Load { description, keys } => {
                 let plays = self.playing().plays(&description);
                 let file =
@@ -285,17 +342,25 @@ impl RequestHandler {
             }
             Request::Record { file: None }
             | Request::Set { .. }
+            | Request::SaveInstrument { .. }
             | Request::Render { .. }
             | Request::Stop {}
             | Request::Press { .. }
             | Request::Grip { .. }
             | Request::Margin { .. }
+            | Request::Figures { .. }
             | Request::Identify { .. }
             | Request::Scene {}
             | Request::Where {}
             | Request::Status {} => request,
         })
     }
+}
+
+/// Returns the message that `who` made the change in `event`; the telemetry thread sets its tick.
+fn changed(event: Event, who: &str) -> TelemetryMessage {
+    let (kind, text) = (event::Kind::Change.into(), format!("{who}: {}", event.text));
+    TelemetryMessage::Update(Box::new(Update::Event(Event { kind, text, ..event })))
 }
 
 /// Returns the values of `voice` for the playing voice of the same model.

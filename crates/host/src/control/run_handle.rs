@@ -12,9 +12,10 @@ use telemetry::recording::RecordingLimits;
 use telemetry::{Log, Update, log};
 
 use super::key_port::{KeyPort, Lights};
+use super::run_status::nanos_now;
 use super::voice_port::VoicePort;
 use super::{BackgroundWork, EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING, RunStatus};
-use crate::observe::{RecordingHandle, TelemetryMessage};
+use crate::observe::{LogSink, MessageSink as _, RecordingHandle, TelemetryMessage};
 
 /// Access of requests to a run, from its preparation to its end.
 ///
@@ -31,6 +32,8 @@ pub struct RunHandle {
     voices: Mutex<VoicePort>,
     keys: Mutex<KeyPort>,
     telemetry: Mutex<TelemetryPort>,
+    /// Log of a host whose telemetry does not run yet.
+    early_log: Mutex<Option<LogSink>>,
 }
 
 #[derive(Debug, Default)]
@@ -129,8 +132,21 @@ impl RunHandle {
 
     /// Writes a sentence into the host's log.
     pub fn log(&self, text: String) {
-        let entry = Log { level: log::Level::Info.into(), text };
-        self.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
+        let entry = Update::Log(Log { level: log::Level::Info.into(), text });
+        match lock(&self.early_log).as_mut() {
+            Some(log) => log.take(nanos_now(), &entry),
+            None => self.tell(TelemetryMessage::Update(Box::new(entry))),
+        }
+    }
+
+    /// Writes to `log` until the telemetry of a run does.
+    pub fn log_early(&self, log: LogSink) {
+        *lock(&self.early_log) = Some(log);
+    }
+
+    /// Returns the log for the telemetry of a run, which writes to it from now on.
+    pub fn take_log(&self) -> Option<LogSink> {
+        lock(&self.early_log).take()
     }
 
     /// Records the whole run into `file`, independently of requests. The error is a sentence.

@@ -7,8 +7,12 @@ use std::thread;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use telemetry::event::Kind;
-use telemetry::{BoardState, DeadlineStatus, Deadlines, Event, HostState, HostStatus, Links};
-use telemetry::{RunProgress, Spread, Topic, Update, key_name};
+use telemetry::{
+    Board, BoardState, DeadlineStatus, Deadlines, Event, HostState, HostStatus, Links,
+};
+use telemetry::{RunProgress, Spread, Status, Topic, Update, key_name};
+
+use super::BoardsTold;
 
 use crate::adapters::observer::LiveCounters;
 use crate::observe::{MessageSink, RecordingHandle};
@@ -29,6 +33,11 @@ struct StatusParts {
     links: Links,
     clients: u32,
     recording: Option<RecordingHandle>,
+    /// Begin of the recording (s since 1970).
+    recording_since: u64,
+    /// Sentence about the run, once it is over.
+    report: String,
+    stopped: Option<BoardsTold>,
     last_faults: VecDeque<String>,
 }
 
@@ -41,6 +50,8 @@ pub struct RunDescription {
     pub voices: u32,
     /// Name of the MIDI output, or the reason for its absence.
     pub midi: String,
+    /// Keys of the scene that no board carries.
+    pub absent: Vec<u32>,
     pub counters: Arc<LiveCounters>,
 }
 
@@ -74,7 +85,20 @@ impl RunStatus {
     }
 
     pub fn records(&self, recording: Option<RecordingHandle>) {
-        self.lock().recording = recording;
+        let mut parts = self.lock();
+        (parts.recording, parts.recording_since) = (recording, seconds_now());
+    }
+
+    /// Ends the run with a sentence about it.
+    pub fn finish(&self, report: String) {
+        self.lock().report = report;
+        self.enter(HostState::Over);
+    }
+
+    /// Notes that a stop removed all forces.
+    pub fn stop(&self, told: BoardsTold) {
+        self.lock().stopped = Some(told);
+        self.enter(HostState::Stopped);
     }
 
     pub fn client_came(&self) {
@@ -92,6 +116,24 @@ impl RunStatus {
 
     pub fn read(&self) -> HostStatus {
         self.lock().status()
+    }
+
+    /// Returns the message of the topic `/status`.
+    pub fn message(&self) -> Status {
+        let parts = self.lock();
+        let Links { lines, boards } = &parts.links;
+        // Counters would make each message another one.
+        let board = |it: &Board| Board {
+            line: it.line,
+            id: it.id,
+            first_key: it.first_key,
+            keys: it.keys,
+            state: it.state.clone(),
+            muted: it.muted.clone(),
+            ..Board::default()
+        };
+        let names = lines.iter().map(|line| line.name.clone()).collect();
+        parts.status().message(boards.iter().map(board).collect(), names)
     }
 
     /// Like [`Self::read`], after checking for at most 0.25 s that ticks continue.
@@ -131,12 +173,16 @@ impl StatusParts {
             boards: boards(&self.links),
             clients: self.clients,
             recording: recording.filter(|it| it.trouble.is_none()).map(|it| it.file),
+            recording_since: self.recording_since,
+            report: self.report.clone(),
+            stopped: self.stopped.map(BoardsTold::counts).unwrap_or_default(),
             last_faults: self.last_faults.iter().cloned().collect(),
             ..HostStatus::default()
         };
         let Some(run) = &self.run else { return status };
         let counters = &run.counters;
         status.midi.clone_from(&run.midi);
+        status.absent.clone_from(&run.absent);
         let (ticks, overload) = (counters.ticks.load(Relaxed), &counters.overload);
         status.run = RunProgress {
             tick_hz: run.tick_hz,
@@ -148,6 +194,7 @@ impl StatusParts {
             faults: counters.faults.load(Relaxed),
             dropped: counters.dropped.load(Relaxed),
             muted: counters.muted.keys().map(|key| key_name(key.into())).collect(),
+            muted_keys: counters.muted.keys().map(u32::from).collect(),
             left_out: overload.now().iter().map(|one| one.name().to_owned()).collect(),
             waited: overload.waited().0,
             starved: overload.starved.load(Relaxed),
@@ -167,7 +214,7 @@ fn deadlines(it: &Deadlines) -> DeadlineStatus {
 }
 
 fn boards(links: &Links) -> Vec<BoardState> {
-    let board = |it: &telemetry::Board| {
+    let board = |it: &Board| {
         let line = usize::try_from(it.line).ok().and_then(|line| links.lines.get(line));
         BoardState {
             link: line.map_or_else(String::new, |line| line.name.clone()),
@@ -232,7 +279,8 @@ impl MessageSink for StatusSink {
             | Update::State(..)
             | Update::Ticks(_)
             | Update::Midi(_)
-            | Update::Log(_) => {}
+            | Update::Log(_)
+            | Update::Status(_) => {}
         }
     }
 
@@ -253,7 +301,13 @@ pub(crate) fn passes(ticks: u64, length: u64) -> u64 {
 
 /// Returns the time (s since 1970).
 fn seconds_now() -> u64 {
-    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |it| it.as_secs())
+    nanos_now() / 1_000_000_000
+}
+
+/// Returns the time (ns since 1970).
+pub(super) fn nanos_now() -> u64 {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX))
 }
 
 #[cfg(test)]
@@ -266,7 +320,8 @@ mod tests {
         let midi = "none".to_owned();
         let its_counters = Arc::clone(&counters);
         let (tick_hz, pass, voices) = (1000, Some(5), 88);
-        let run = RunDescription { tick_hz, pass, voices, midi, counters: its_counters };
+        let absent = Vec::new();
+        let run = RunDescription { tick_hz, pass, voices, midi, absent, counters: its_counters };
         status.describe(run);
         status.enter(HostState::Starting);
         (status, counters)

@@ -54,7 +54,10 @@ impl StreamSink {
 
 impl MessageSink for StreamSink {
     fn take(&mut self, at: u64, update: &Update) {
-        self.publisher.publish(at, update);
+        // The host's log publishes its own lines.
+        if !matches!(update, Update::Log(_)) {
+            self.publisher.publish(at, update);
+        }
         if let Update::Catalogue(catalogue) = update {
             self.note_models(catalogue);
         } else if let Update::Voice(voice) = update {

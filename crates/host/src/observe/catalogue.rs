@@ -57,17 +57,25 @@ fn description(entry: &ModelEntry) -> Option<Description> {
 }
 
 fn model(entry: &ModelEntry) -> Model {
+    /// Middle C, with whose values steps are found.
+    const MIDDLE: u8 = 39;
+    let usual = entry.presets.first().map(|it| it.values(MIDDLE)).unwrap_or_default();
     Model {
         version: entry.version(),
         name: entry.name.to_owned(),
         summary: entry.summary.to_string(),
         modes: modes(entry),
         signals: signals(entry),
-        parameters: entry.parameters.iter().map(parameter).collect(),
+        parameters: entry
+            .parameters
+            .iter()
+            .zip(usual)
+            .map(|(it, usual)| parameter(it, usual))
+            .collect(),
     }
 }
 
-fn parameter(it: &instruments::Parameter) -> Parameter {
+fn parameter(it: &instruments::Parameter, usual: f64) -> Parameter {
     Parameter {
         name: it.name.to_owned(),
         unit: it.unit.to_owned(),
@@ -75,7 +83,44 @@ fn parameter(it: &instruments::Parameter) -> Parameter {
         max: it.range.1,
         doc: it.doc.to_string(),
         title: it.title.to_string(),
+        reading_per: it.reading.per,
+        reading_offset: it.reading.offset,
+        step: it.reading.step.unwrap_or_else(|| usual_step(it, usual)),
     }
+}
+
+/// Returns the entry of an instrument of the user, with its values on every key.
+pub fn instrument(it: &scene::Instrument) -> Instrument {
+    let keys = (0..=u8::MAX).take(KEYS);
+    Instrument {
+        name: it.name.clone(),
+        model: it.model().name.to_owned(),
+        doc: it.doc.clone(),
+        values: keys.flat_map(|key| it.values(key)).collect(),
+        is_own: true,
+        base: it.based.as_ref().map(|based| based.base.clone()).unwrap_or_default(),
+        base_changed: it.based.as_ref().is_some_and(|based| based.has_changed),
+    }
+}
+
+/// Returns the step of a hand for a parameter of this usual value: 0.1 mm and 0.1 g, less for small
+/// parts, and 1 % of anything else; 0 if the value has no size.
+fn usual_step(parameter: &instruments::Parameter, usual: f64) -> f64 {
+    let (part, largest) = match parameter.unit {
+        "m" | "kg" => (0.05, 1e-4),
+        _ => (0.01, f64::INFINITY),
+    };
+    let (low, high) = parameter.range;
+    let size = if usual == 0.0 { 0.1 * low.abs().max(high.abs()) } else { usual.abs() };
+    rounded_down((part * size).min(largest))
+}
+
+/// Returns the largest of 1, 2 and 5 times a power of ten up to `x`; 0 if there is none.
+fn rounded_down(x: f64) -> f64 {
+    let ten = 10_f64.powf(x.log10().floor());
+    // A product of the decimal fractions above may be a bit smaller than its digits.
+    let found = [5.0, 2.0, 1.0].map(|it| it * ten).into_iter().find(|it| *it <= 1.000_001 * x);
+    found.filter(|it| it.is_finite()).unwrap_or(0.0)
 }
 
 /// Returns all embedded instruments; those of `models` with their values on every key. The others
@@ -88,7 +133,8 @@ fn instruments(models: &[Arc<LoadedModel>]) -> Vec<Instrument> {
         let known = known.iter().find(|it| it.name == head.name);
         let values = known.map(|it| keys().flat_map(|key| it.values(key)).collect());
         let InstrumentHead { name, doc, model } = head;
-        Instrument { name, model, doc, values: values.unwrap_or_default() }
+        let values = values.unwrap_or_default();
+        Instrument { name, model, doc, values, ..Instrument::default() }
     };
     scene::instrument_heads().into_iter().map(listed).collect()
 }
@@ -96,6 +142,35 @@ fn instruments(models: &[Arc<LoadedModel>]) -> Vec<Instrument> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_step_is_what_a_hand_moves_at_once() {
+        let step = |unit, range, usual| {
+            let parameter = instruments::Parameter {
+                name: "x",
+                title: "".into(),
+                unit,
+                range,
+                doc: "".into(),
+                reading: instruments::Reading::default(),
+            };
+            usual_step(&parameter, usual)
+        };
+        for (unit, usual, expected) in [
+            ("m", 0.2595, 1e-4),
+            ("m", 6.3e-5, 2e-6),
+            ("m", 0.0, 1e-5),
+            ("kg", 8.7e-3, 1e-4),
+            ("N/m", 95_100.0, 500.0),
+            ("N·m", -0.0127, 1e-4),
+            ("1", 0.4, 2e-3),
+        ] {
+            let found = step(unit, (-2e-3, 2e-3), usual);
+            assert!((found / expected - 1.0).abs() < 1e-9, "{usual} {unit}: {found}");
+        }
+        let unlimited = step("N", (0.0, f64::INFINITY), 0.0);
+        assert!(unlimited == 0.0, "{unlimited}");
+    }
 
     #[test]
     fn instruments_have_a_value_for_each_parameter_on_each_key() {

@@ -76,6 +76,7 @@ impl LinksWatch {
         // A rearming between two polls shows in the count only.
         let is_armed_anew = 0 < board.armings && board.armings < care.armings;
         board.armings = care.armings;
+        board.muted = muted(board.first_key, it);
         board.round_trip = care.round_trip_us.map_or(f64::NAN, f64::from);
         let first_key = u8::try_from(board.first_key).unwrap_or(u8::MAX);
         let state = board_words(first_key, it, &care);
@@ -92,6 +93,12 @@ impl LinksWatch {
         board.state = state;
         told
     }
+}
+
+/// Returns the numbers of the muted keys of a board with `first_key`.
+fn muted(first_key: u32, it: &BoardSnapshot) -> Vec<u32> {
+    let keys = (first_key..).zip(&it.statistics.keys.muted);
+    keys.filter_map(|(key, fault)| fault.is_some().then_some(key)).collect()
 }
 
 fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String {

@@ -68,6 +68,8 @@ impl LogSink {
                 let level = if is_well { Level::Info } else { Level::Warning };
                 self.say(at, Subject::Boards, level, event.text.clone());
             }
+            // Changes of values are combined when their voices arrive.
+            Kind::Change if 0 < event.to => {}
             Kind::Change => self.say(at, Subject::Changes, Level::Info, event.text.clone()),
             Kind::Fault => {
                 let text = format!("{}: {}", key(event.key), event.text);
@@ -150,7 +152,8 @@ impl MessageSink for LogSink {
             | Update::Block(_)
             | Update::State(..)
             | Update::Ticks(_)
-            | Update::Deadlines(_) => {}
+            | Update::Deadlines(_)
+            | Update::Status(_) => {}
         }
     }
 

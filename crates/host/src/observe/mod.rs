@@ -25,7 +25,7 @@ mod ticks;
 mod voice;
 
 pub(crate) use block::flag;
-pub use catalogue::{catalogue, distinct};
+pub use catalogue::{catalogue, distinct, instrument};
 pub use events::{NO_KEY, pedal, pedal_move};
 pub use links::LinksWatch;
 pub use log::{LogLine, LogSink};

@@ -312,7 +312,8 @@ impl TelemetryThread {
                     self.retained.insert(Some(key), voice);
                 }
                 TelemetryMessage::Catalogue(catalogue) => self.catalogue(*catalogue),
-                TelemetryMessage::Update(update) => {
+                TelemetryMessage::Update(mut update) => {
+                    date_change(&mut update, self.newest.tick);
                     self.give(&update);
                     self.pedals.extend(Some(*update).filter(is_pedal));
                 }
@@ -525,6 +526,15 @@ impl TelemetryThread {
         for sink in sinks.filter(|sink| !(is_left_out && sink.is_thinned())) {
             sink.take(at, update);
         }
+    }
+}
+
+/// Sets the tick of an event on a change, whose sender knows no ticks.
+fn date_change(update: &mut Update, tick: u64) {
+    if let Update::Event(event) = update
+        && event.kind() == Kind::Change
+    {
+        event.tick = tick;
     }
 }
 

@@ -32,8 +32,12 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
     TelemetryMessage::Voice(Box::new(message), Some(probe))
 }
 
-/// Returns the embedded instrument that sounds like `voice` on `key`.
+/// Returns the name of the instrument's file, or of the embedded instrument with the values of
+/// `voice` on `key`.
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
+    if let Some(file) = &voice.file {
+        return Some(file.name.clone());
+    }
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
     let wanted = bits(&voice.values);
     let of_its_model = Instrument::of_model(&voice.model).into_iter();

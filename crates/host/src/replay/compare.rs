@@ -61,7 +61,8 @@ fn is_compared(update: &Update) -> bool {
         | Update::Ticks(_)
         | Update::Deadlines(_)
         | Update::Links(_)
-        | Update::Log(_) => false,
+        | Update::Log(_)
+        | Update::Status(_) => false,
     }
 }
 
@@ -277,6 +278,7 @@ fn short(update: &Update) -> String {
         | Update::Ticks(_)
         | Update::Deadlines(_)
         | Update::Links(_)
-        | Update::Log(_)) => other.topic().map_or_else(String::new, |topic| topic.to_string()),
+        | Update::Log(_)
+        | Update::Status(_)) => other.topic().map_or_else(String::new, |topic| topic.to_string()),
     }
 }

@@ -132,7 +132,7 @@ impl ReplaySlot {
         revision: u32,
         scene: &Scene,
     ) -> Result<(), ReplayError> {
-        let KeyVoice { model, values } = &recorded.voice;
+        let KeyVoice { model, values, .. } = &recorded.voice;
         let values = ModelValues::new(model.id(), revision, values);
         let is_set_as = self.render == recorded.render;
         self.render = recorded.render;

@@ -242,7 +242,8 @@ impl Replay {
             | Update::Deadlines(_)
             | Update::Links(_)
             | Update::Midi(_)
-            | Update::Log(_) => {}
+            | Update::Log(_)
+            | Update::Status(_) => {}
         }
         self.comparison.expect(message);
         Ok(())
@@ -294,7 +295,7 @@ impl Replay {
     /// Adds a voice and sends it to the telemetry, which then uses the same probes.
     fn voice(&mut self, message: &Voice) -> Result<(), ReplayError> {
         let model = self.recording.versions.model(message)?;
-        let played = KeyVoice { model, values: message.values.clone() };
+        let played = KeyVoice { model, values: message.values.clone(), file: None };
         let origin = Origin {
             revision: message.revision,
             instrument: Some(&message.instrument),

@@ -267,6 +267,18 @@ impl fmt::Display for RunReport {
 const SHOWN_PAUSES: usize = 5;
 
 impl RunReport {
+    /// Returns the run in a sentence.
+    pub fn sentence(&self) -> String {
+        let VoiceTotals { strikes, faults, .. } = self.totals;
+        match &self.notes {
+            Some(notes) => {
+                let NoteReport { struck, played, .. } = notes;
+                format!("{struck} of {played} notes were struck; voices failed in {faults} turns.")
+            }
+            None => format!("{strikes} strikes; voices failed in {faults} turns."),
+        }
+    }
+
     fn fmt_pauses(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut longest: Vec<_> = self.pauses.iter().filter(|it| 1 < it.ticks).collect();
         if longest.is_empty() {

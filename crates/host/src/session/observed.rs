@@ -15,7 +15,7 @@ use super::unit_costs::UnitCosts;
 use super::{RunOptions, SessionError};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
-use crate::control::{RunDescription, RunHandle};
+use crate::control::{RunDescription, RunHandle, is_absent};
 use crate::observe::{self, Origin, Pulses, TelemetryMessage, TelemetryThread};
 use crate::report::MidiReport;
 use engine::realtime::clock;
@@ -107,11 +107,13 @@ pub(super) fn describe(
     counters: &Arc<LiveCounters>,
 ) {
     let voices = scene.keys.iter().flatten().count();
+    let absent = (0..).zip(0..scene.keys.len()).filter(|(_, key)| is_absent(scene, *key));
     handle.status.describe(RunDescription {
         tick_hz: scene.tick_hz,
         pass,
         voices: u32::try_from(voices).unwrap_or(u32::MAX),
         midi: midi.words(),
+        absent: absent.map(|(number, _)| number).collect(),
         counters: Arc::clone(counters),
     });
 }

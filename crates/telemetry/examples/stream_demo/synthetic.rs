@@ -67,7 +67,10 @@ impl Backend for Synthetic {
             Request::Identify { .. }
             | Request::Load { .. }
             | Request::Render { .. }
+            | Request::FollowBase { .. }
+            | Request::SaveInstrument { .. }
             | Request::Margin { .. }
+            | Request::Figures { .. }
             | Request::Record { .. }
             | Request::Where {}
             | Request::Status {} => Err("a synthetic host has neither boards nor files".to_owned()),

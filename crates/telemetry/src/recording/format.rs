@@ -83,6 +83,8 @@ pub(super) const fn channel(topic: Topic) -> u16 {
         Topic::Links => 7,
         Topic::Midi => 8,
         Topic::Log => 9,
+        // 10 and 11 are the schemas of blocks and states.
+        Topic::Status => 12,
         Topic::Block(key) => BLOCKS + key as u16,
         Topic::State(key) => STATES + key as u16,
     }

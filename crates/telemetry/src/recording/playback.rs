@@ -42,6 +42,8 @@ pub struct Playback {
     /// `true` if it begins again at its end.
     repeats: bool,
     followed: BTreeSet<Topic>,
+    /// Followed topics with missing messages before the next one.
+    torn: BTreeSet<Topic>,
     /// Arrivals that come before all others.
     arrivals: VecDeque<Arrival>,
     /// Last seconds of newly followed topics.
@@ -67,6 +69,7 @@ impl Playback {
             speed: 1.0,
             repeats: false,
             followed: BTreeSet::new(),
+            torn: BTreeSet::new(),
             arrivals: VecDeque::new(),
             past: VecDeque::new(),
             main: PlaybackStream::new(Walk::new(0, 0, BTreeSet::new())),
@@ -113,9 +116,10 @@ impl Playback {
 
     /// Returns the last rows of keys among `topics` before `from` (ns since 1970): a key that rests
     /// has none in the seconds before a position.
-    fn keys_before(&self, from: u64, topics: &BTreeSet<Topic>) -> Vec<Arrival> {
+    fn keys_before(&mut self, from: u64, topics: &BTreeSet<Topic>) -> Vec<Arrival> {
         let blocks = topics.iter().filter(|topic| matches!(topic, Topic::Block(_)));
-        let last = blocks.filter_map(|topic| self.recording.last_before(*topic, from));
+        let recording = Arc::clone(&self.recording);
+        let last = blocks.filter_map(|topic| recording.last_before(*topic, from));
         last.map(|raw| self.arrive(Ok(raw))).collect()
     }
 
@@ -131,10 +135,20 @@ impl Playback {
         self.main.next(parts, now)
     }
 
-    fn arrive(&self, raw: Result<RawMessage, MissingPiece>) -> Arrival {
+    fn arrive(&mut self, raw: Result<RawMessage, MissingPiece>) -> Arrival {
         match update(raw, &self.recording) {
-            Ok((at, update)) => arrival(at, update),
-            Err(error) => log(Timeline::at(self), Level::Error, error.to_string()),
+            Ok((at, mut update)) => {
+                if let Update::Block(block) = &mut update
+                    && u8::try_from(block.key).is_ok_and(|key| self.torn.remove(&Topic::Block(key)))
+                {
+                    block.mark_missing();
+                }
+                arrival(at, update)
+            }
+            Err(error) => {
+                self.torn.clone_from(&self.followed);
+                log(Timeline::at(self), Level::Error, error.to_string())
+            }
         }
     }
 }
@@ -165,6 +179,8 @@ impl Source for Playback {
         }
         if !anew.is_empty() {
             let from = Timeline::at(self).saturating_sub(BEFORE);
+            // A window that followed them earlier has rows from then.
+            self.torn.extend(&anew);
             let before = self.keys_before(from, &anew);
             self.arrivals.extend(before);
             self.past.push_back(PlaybackStream::new(self.main.walk.past(from, anew)));
@@ -180,7 +196,7 @@ impl Source for Playback {
     }
 
     fn standing(&self) -> ConnectionState {
-        ConnectionState::Recording
+        if self.repeats { ConnectionState::Demonstration } else { ConnectionState::Recording }
     }
 
     fn name(&self) -> String {
@@ -214,7 +230,7 @@ impl Timeline for Playback {
             Ok(stage) => self.arrivals.extend(stage),
             Err(error) => self.arrivals.push_back(log(self.at, Level::Error, error.to_string())),
         }
-        let before = self.keys_before(from, &self.followed);
+        let before = self.keys_before(from, &self.followed.clone());
         self.arrivals.extend(before);
         self.main = PlaybackStream::new(Walk::new(from, u64::MAX, self.wanted()));
     }

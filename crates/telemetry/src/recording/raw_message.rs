@@ -36,6 +36,7 @@ fn key(update: &Update) -> u32 {
         | Update::Deadlines(_)
         | Update::Links(_)
         | Update::Midi(_)
-        | Update::Log(_) => 0,
+        | Update::Log(_)
+        | Update::Status(_) => 0,
     }
 }

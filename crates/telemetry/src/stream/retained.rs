@@ -2,11 +2,15 @@
 
 use crate::{KEYS, Update};
 
-/// Returns the slot of a retained message, where it replaces the one before: the catalogue has a
-/// slot, and each key's voice.
+/// Slot of the status, after those of the keys' voices.
+const STATUS: u16 = 100;
+
+/// Returns the slot of a retained message, where it replaces the one before: the catalogue and the
+/// status have a slot, and each key's voice.
 pub(crate) fn retained_slot(update: &Update) -> Option<u16> {
     match update {
         Update::Catalogue(_) => Some(0),
+        Update::Status(_) => Some(STATUS),
         Update::Voice(voice) => {
             let key = u16::try_from(voice.key).ok();
             key.filter(|key| usize::from(*key) < KEYS).map(|key| key + 1)
@@ -21,4 +25,12 @@ pub(crate) fn retained_slot(update: &Update) -> Option<u16> {
         | Update::Midi(_)
         | Update::Log(_) => None,
     }
+}
+
+/// Log lines that a server keeps for clients that connect later.
+const LOG_LINES: u64 = 100;
+
+/// Returns the slot of the log line with this number: it replaces the oldest kept line.
+pub(crate) fn log_slot(number: u64) -> u16 {
+    u16::try_from(number % LOG_LINES).map_or(u16::MAX, |place| STATUS + 1 + place)
 }

@@ -6,7 +6,9 @@ use std::thread;
 
 use telemetry::event::Kind;
 use telemetry::recording::{Playback, Recording, marks};
-use telemetry::{Arrival, ConnectionState, KEYS, Request, Source as _, Timeline, Topic, Update};
+use telemetry::{
+    Arrival, ConnectionState, Event, KEYS, KeyBlock, Request, Source as _, Timeline, Topic, Update,
+};
 
 use crate::common::{at, event, performance, record, recorded, unrecorded};
 
@@ -188,20 +190,66 @@ fn marks_are_what_is_worth_finding() {
     told.push((at(5001), event(Kind::Fault, 5001, 0.0, 39)));
     told.push((at(5002), event(Kind::Recovery, 5002, 0.0, 39)));
     told.extend((0..50).map(|tick| (at(5003 + tick), event(Kind::Miss, tick, 0.0, 255))));
+    let Update::Event(change) = event(Kind::Change, 5060, 0.0, 39) else { unreachable!() };
+    let text = "window: C4 k2 1 -> 2 N/m".to_owned();
+    told.push((at(5060), Update::Event(Event { text, ..change })));
+    told.push((at(6100), event(Kind::Miss, 6100, 0.0, 255)));
     record(&path, &told);
     let recording = Recording::open(&path).expect("a recording");
     let found: Vec<_> = marks(&recording).map(|mark| (mark.text, mark.is_fault)).collect();
     let strike = ("C4 struck".to_owned(), false);
     let fault = ("C4: fault: it panicked".to_owned(), true);
     let recovery = ("C4 recovered".to_owned(), false);
-    let expected = vec![strike; 5].into_iter().chain([fault, recovery, ("late".to_owned(), true)]);
-    assert_eq!(found, expected.collect::<Vec<_>>());
+    let change = ("window: C4 k2 1 -> 2 N/m".to_owned(), false);
+    let late = ("late × 50".to_owned(), true);
+    // Each strike is a mark; late ticks within a second are one, in the order of time.
+    let all = vec![strike; 50].into_iter().chain([fault, recovery, late, change]);
+    assert_eq!(found, all.chain([("late".to_owned(), true)]).collect::<Vec<_>>());
     let (mut playback, _clock) = played(&path);
     while playback.marks().len() < found.len() {
         playback.next();
         thread::yield_now();
     }
     assert_eq!(playback.marks(), marks(&recording).collect::<Vec<_>>());
+}
+
+#[test]
+fn marks_beyond_the_bound_are_counted() {
+    let (_folder, path) = unrecorded();
+    let mut told = performance(20);
+    told.extend((0..50_010).map(|tick| (at(30 + tick), event(Kind::Fault, tick, 0.0, 39))));
+    told.push((at(60_000), event(Kind::Strike, 60_000, 0.0, 40)));
+    record(&path, &told);
+    let recording = Recording::open(&path).expect("a recording");
+    let found: Vec<_> = marks(&recording).collect();
+    assert_eq!(found.len(), 1 + 50_000 + 1 + 1);
+    assert_eq!(found[50_001].text, "C#4 struck", "faults displace no strike");
+    let text = "not listed: 10 other moments; a list holds 50000 of each";
+    assert_eq!((found[50_002].at, found[50_002].text.as_str()), (at(60_000), text));
+}
+
+#[test]
+fn a_key_that_is_followed_again_has_a_marked_gap() {
+    let (_folder, path) = recorded(&performance(12_000));
+    let (mut playback, clock) = played(&path);
+    let flags = |playback: &mut Playback| {
+        let blocks = std::iter::from_fn(|| playback.next()).filter_map(|arrival| {
+            let Arrival::Update { update, .. } = arrival else { return None };
+            let Update::Block(block) = *update else { return None };
+            Some(block.flags[0] & KeyBlock::MISSING)
+        });
+        blocks.collect::<Vec<_>>()
+    };
+    playback.follow(&BTreeSet::from([Topic::Block(39)]));
+    clock.store(1000, Ordering::Relaxed);
+    flags(&mut playback);
+    playback.follow(&BTreeSet::new());
+    clock.store(11_000, Ordering::Relaxed);
+    flags(&mut playback);
+    playback.follow(&BTreeSet::from([Topic::Block(39)]));
+    let flags = flags(&mut playback);
+    assert_eq!(flags[0], KeyBlock::MISSING);
+    assert!(200 < flags.len() && flags[1..].iter().all(|it| *it == 0), "{flags:?}");
 }
 
 #[test]

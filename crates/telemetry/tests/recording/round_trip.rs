@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use telemetry::recording::Recording;
-use telemetry::{Topic, Update};
+use telemetry::{Status, Topic, Update};
 
 use crate::common::{
     KEYS, at, catalogue, event, performance, read, record, record_as, recorded, settings,
@@ -15,7 +15,8 @@ use crate::common::{
 #[test]
 fn every_topic_comes_back_in_order() {
     let (_folder, path) = unrecorded();
-    let told = performance(5000);
+    let mut told = performance(5000);
+    told.push((at(5000), Update::Status(Status { rehearsed: 3, ..Status::default() })));
     let topics: BTreeSet<_> = told.iter().filter_map(|(_, update)| update.topic()).collect();
     assert!(Topic::COMMON.iter().all(|topic| topics.contains(topic)), "the test tells all");
     let recorded = record_as(settings(&path), &told);

@@ -147,7 +147,6 @@ impl Jump {
         }
     }
 
-    /// Adds this jump to the bounds `most`.
     fn within(&self, most: Motion) -> Motion {
         let or = |jumps: bool, most: f64| if jumps { f64::INFINITY } else { most };
         Motion {
@@ -281,8 +280,7 @@ impl<'a> Knots<'a> {
         })
     }
 
-    /// Returns the slopes of the parabolas through each sample and its neighbours; on equal
-    /// intervals, central differences.
+    /// Returns the slopes of the parabolas through each sample and its neighbours.
     fn central_slopes(&self) -> Vec<f64> {
         let n = self.h.len();
         if n < 2 {

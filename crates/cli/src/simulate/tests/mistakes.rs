@@ -92,21 +92,8 @@ fn expressions_that_cannot_be_read_are_refused() {
     );
     let names = "the variable is t, and there are pi, e, tau and functions as sin(t)";
     check("s=2*x", &format!("--input, column 5: there is no \"x\"; {names}"));
-    check(
-        "s=sin t",
-        "--input, column 7: \"t\" is too much here; write a sign between the two, as *",
-    );
-    let missing = "the expression ends too early; write a number, a name or a function";
-    check("s=", &format!("--input, column 3: {missing}"));
-    check("s=(t+1", "--input, column 3: this ( is not closed; write )");
-    check(
-        "s=2**t",
-        "--input, column 5: \"*\" stands where a value should; write a number, a name or a function",
-    );
-    check(
-        "s=sin(2t)",
-        "--input, column 7: \"2t\" is in kg, not a ratio or an angle; divide it by something of its unit",
-    );
+    let missing = "stands where a value should; write a number, a name or a function";
+    check("s=2**t", &format!("--input, column 5: \"*\" {missing}"));
     check(
         "s=x(P)",
         "--input, column 5: an input has no points and no forces; write a function of t",
@@ -189,11 +176,6 @@ fn an_input_is_never_overwritten() {
 
 #[test]
 fn parameters_that_do_not_go_together_as_they_say_are_refused() {
-    let unmet = |model: &str, condition: &str| {
-        format!("{model} needs {condition}, which does not hold: choose other parameters")
-    };
-    check(&["reduced-grand", "--set", "zs=0.03"], &[&unmet("reduced-grand", "zs > zt")]);
-    check(&["reduced-grand", "--set", "zt=0.02"], &[&unmet("reduced-grand", "zt > R*yb")]);
-    check(&["reduced-grand", "--set", "yco=0.009"], &[&unmet("reduced-grand", "yck > yco")]);
-    check(&["cart-pendulum", "--set", "right=-0.1"], &[&unmet("cart-pendulum", "right > left")]);
+    let unmet = "cart-pendulum needs right > left, which does not hold: choose other parameters";
+    check(&["cart-pendulum", "--set", "right=-0.1"], &[unmet]);
 }

@@ -6,8 +6,7 @@ mod plot;
 mod reference;
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process;
+use std::path::Path;
 
 use clap::Parser as _;
 use mechanism::Library;
@@ -25,28 +24,20 @@ const PAPER_MODELS: [&str; 6] = [
 ];
 
 /// A folder that is deleted after the test.
-struct Folder(PathBuf);
+struct Folder(tempfile::TempDir);
 
 impl Folder {
     fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("letoff-simulate-{}-{name}", process::id()));
-        fs::create_dir_all(&path).expect("a folder");
-        Self(path)
+        Self(tempfile::TempDir::with_prefix(name).expect("a folder"))
     }
 
     fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().expect("UTF-8").to_owned()
+        self.0.path().join(name).to_str().expect("UTF-8").to_owned()
     }
 
     fn write(&self, name: &str, text: &str) -> String {
         fs::write(self.path(name), text).expect("a file");
         self.path(name)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _tidied = fs::remove_dir_all(&self.0);
     }
 }
 

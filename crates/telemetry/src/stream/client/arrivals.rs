@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::Waker;
+use crate::stream::Role;
 use crate::stream::backlog::{Backlog, Worth};
 use crate::stream::retained::retained_slot;
 use crate::{Arrival, ConnectionState, Topic};
@@ -15,6 +16,8 @@ const ROOM: usize = 32 << 20;
 pub(super) struct Arrivals {
     waiting: Mutex<Backlog<Arrival>>,
     state: Mutex<ConnectionState>,
+    /// Rights in the present connection.
+    role: Mutex<Option<Role>>,
     waker: Option<Waker>,
 }
 
@@ -24,6 +27,7 @@ impl Arrivals {
         Self {
             waiting: Mutex::new(Backlog::new(ROOM)),
             state: Mutex::new(ConnectionState::Connecting),
+            role: Mutex::default(),
             waker,
         }
     }
@@ -35,8 +39,10 @@ impl Arrivals {
         self.wake();
     }
 
-    /// Clears the queue for a new connection: of older arrivals only replies are of use.
-    pub(super) fn begin(&self) {
+    /// Clears the queue for a new connection with rights `role`: of older arrivals only replies are
+    /// of use.
+    pub(super) fn begin(&self, role: Option<Role>) {
+        *self.role.lock().unwrap_or_else(PoisonError::into_inner) = role;
         self.waiting().forget(|arrival| !matches!(arrival, Arrival::Reply { .. }));
         self.push(Arrival::Anew, 0);
         self.set_state(ConnectionState::Live);
@@ -58,6 +64,11 @@ impl Arrivals {
     pub(super) fn set_state(&self, state: ConnectionState) {
         *self.state.lock().unwrap_or_else(PoisonError::into_inner) = state;
         self.wake();
+    }
+
+    pub(super) fn role(&self) -> Option<Role> {
+        let is_live = self.state() == ConnectionState::Live;
+        is_live.then(|| *self.role.lock().unwrap_or_else(PoisonError::into_inner)).flatten()
     }
 
     pub(super) fn state(&self) -> ConnectionState {
@@ -112,12 +123,13 @@ mod tests {
     fn a_new_run_and_other_topics_leave_no_old_messages() {
         let arrivals = Arrivals::new(None);
         arrivals.push(update(Update::Event(Event::default())), 10);
-        arrivals.begin();
+        arrivals.begin(Some(Role::Tuner));
         assert_eq!(arrivals.pop(), Some(Arrival::Anew));
         assert_eq!(arrivals.pop(), None);
         arrivals.push(update(Update::Event(Event::default())), 10);
         arrivals.keep_only(&BTreeSet::from([Topic::Log]));
         assert_eq!(arrivals.pop(), None);
         assert_eq!(arrivals.state(), ConnectionState::Live);
+        assert_eq!(arrivals.role(), Some(Role::Tuner));
     }
 }

@@ -10,9 +10,11 @@ mod connect;
 mod pin;
 mod reconnect;
 mod session;
+mod socket;
 
 use std::collections::BTreeSet;
 use std::fmt;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread;
 
@@ -22,7 +24,7 @@ use arrivals::Arrivals;
 use command::ClientCommand;
 use reconnect::ReconnectingClient;
 
-use super::Fingerprint;
+use super::{Fingerprint, Role};
 use crate::source::Ticket;
 use crate::{Arrival, ConnectionState, Reply, Request, Source, Topic};
 
@@ -38,6 +40,10 @@ pub struct Dial {
     pub token: Option<String>,
     /// Fingerprint of the host's certificate, as the host printed it; `wss://` needs it.
     pub pin: Option<Fingerprint>,
+    /// Control socket of a host on this machine. Each attempt to connect asks it for the present
+    /// address and secret, so that a host that was started again is found; a stop without a
+    /// connection is sent there.
+    pub socket: Option<PathBuf>,
 }
 
 impl fmt::Debug for Dial {
@@ -48,6 +54,7 @@ impl fmt::Debug for Dial {
             .field("address", &self.address)
             .field("has_token", &has_token)
             .field("pin", &self.pin)
+            .field("socket", &self.socket)
             .finish()
     }
 }
@@ -63,7 +70,10 @@ pub struct Client {
 impl Client {
     /// Starts to connect, and keeps the connection until the client is dropped.
     pub fn connect(dial: Dial, waker: Option<Waker>) -> Self {
-        let name = dial.address.clone();
+        let name = match &dial.socket {
+            Some(_) => "the host of this machine".to_owned(),
+            None => dial.address.clone(),
+        };
         let arrivals = Arc::new(Arrivals::new(waker));
         let (commands, incoming) = mpsc::unbounded_channel();
         let client = ReconnectingClient::new(dial, Arc::clone(&arrivals), incoming);
@@ -113,5 +123,9 @@ impl Source for Client {
 
     fn name(&self) -> String {
         self.name.clone()
+    }
+
+    fn role(&self) -> Option<Role> {
+        self.arrivals.role()
     }
 }

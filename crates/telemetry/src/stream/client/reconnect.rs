@@ -1,6 +1,7 @@
 //! Connects to a host, and again whenever the connection is lost.
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -11,13 +12,21 @@ use super::arrivals::Arrivals;
 use super::command::ClientCommand;
 use super::connect::{ConnectError, connect};
 use super::session::{ClientSession, SessionEnd};
-use crate::{Arrival, ConnectionState, Topic};
+use super::socket;
+use crate::source::Ticket;
+use crate::{Arrival, ConnectionState, Request, Topic};
 
 /// Answer to a request without a connection.
 pub(super) const NOT_CONNECTED: &str = "no host is connected: wait until one is, and ask again";
 
 /// Shortest and longest pause before another attempt.
-const PAUSES: (Duration, Duration) = (Duration::from_millis(250), Duration::from_secs(5));
+const PAUSES: (Duration, Duration) = (Duration::from_millis(250), Duration::from_secs(2));
+
+/// Pause after a host rejected the connection: it counts and delays attempts.
+const REFUSED: Duration = Duration::from_secs(5);
+
+/// Longest pause between the questions to a socket of this machine.
+const SOCKET: Duration = Duration::from_millis(500);
 
 /// Client that restores its connection.
 pub(super) struct ReconnectingClient {
@@ -52,29 +61,34 @@ impl ReconnectingClient {
         }
     }
 
-    /// Keeps a connection until the window is closed or the host rejects it.
+    /// Keeps a connection until the window is closed.
     async fn keep_connected(&mut self) -> Result<std::convert::Infallible, WindowClosed> {
         let mut pause = PAUSES.0;
         loop {
-            let dial = self.dial.clone();
-            let lost = match self.wait_for(Box::pin(connect(&dial))).await? {
+            let (known, socket) = (self.dial.clone(), self.dial.socket.is_some());
+            let attempt = async move {
+                let dial = present(known).await.map_err(ConnectError::Lost)?;
+                connect(&dial).await
+            };
+            let (state, longest) = match self.wait_for(Box::pin(attempt)).await? {
                 Ok(socket) => {
                     pause = PAUSES.0;
                     let session = ClientSession::new(socket, &self.arrivals);
                     match Box::pin(session.run(&mut self.commands, &mut self.wanted)).await {
                         SessionEnd::Gone => return Err(WindowClosed),
-                        SessionEnd::Lost(text) => text,
+                        SessionEnd::Lost(text) => (ConnectionState::Lost(text), PAUSES.1),
                     }
                 }
-                Err(ConnectError::Lost(text)) => text,
+                Err(ConnectError::Lost(text)) => (ConnectionState::Lost(text), PAUSES.1),
                 Err(ConnectError::Refused(text)) => {
-                    self.arrivals.set_state(ConnectionState::Refused(text));
-                    return self.wait_for(std::future::pending()).await;
+                    pause = REFUSED;
+                    (ConnectionState::Refused(text), REFUSED)
                 }
             };
-            self.arrivals.set_state(ConnectionState::Lost(lost));
+            self.arrivals.set_state(state);
+            pause = pause.min(if socket { SOCKET } else { longest });
             self.wait_for(tokio::time::sleep(pause)).await?;
-            pause = (2 * pause).min(PAUSES.1);
+            pause *= 2;
         }
     }
 
@@ -86,13 +100,35 @@ impl ReconnectingClient {
                 done = &mut work => return Ok(done),
                 command = self.commands.recv() => match command {
                     Some(ClientCommand::Follow(topics)) => self.wanted = topics,
-                    Some(ClientCommand::Ask(ticket, _)) => {
-                        let result = Err(NOT_CONNECTED.to_owned());
-                        self.arrivals.push(Arrival::Reply { ticket, result }, 0);
+                    Some(ClientCommand::Ask(ticket, request)) => {
+                        let socket = self.dial.socket.clone();
+                        tokio::spawn(unconnected(socket, ticket, request, Arc::clone(&self.arrivals)));
                     }
                     None => return Err(WindowClosed),
                 }
             }
         }
     }
+}
+
+/// Returns the present address of the host: the socket's answer, if there is a socket.
+async fn present(dial: Dial) -> Result<Dial, String> {
+    match &dial.socket {
+        Some(path) => socket::whereabouts(path).await,
+        None => Ok(dial),
+    }
+}
+
+/// Answers a request without a connection: a stop goes by the control socket, if there is one.
+async fn unconnected(
+    socket: Option<PathBuf>,
+    ticket: Ticket,
+    request: Request,
+    arrivals: Arc<Arrivals>,
+) {
+    let result = match (socket, request) {
+        (Some(path), Request::Stop {}) => socket::ask(&path, &Request::Stop {}).await,
+        (_, _) => Err(NOT_CONNECTED.to_owned()),
+    };
+    arrivals.push(Arrival::Reply { ticket, result }, 0);
 }

@@ -13,6 +13,7 @@ use tokio_tungstenite::tungstenite::{Bytes, Message};
 use super::arrivals::Arrivals;
 use super::command::ClientCommand;
 use crate::source::Ticket;
+use crate::stream::Role;
 use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::{
     ClientFrame, FromClient, FromServer, Level, ParameterValue, ServerFrame, Service, Subscription,
@@ -41,6 +42,8 @@ pub(super) struct ClientSession<'a> {
     channels: BTreeMap<Topic, u32>,
     /// Subscribed topics by our own numbers.
     subscriptions: BTreeMap<u32, Topic>,
+    /// Subscriptions without a message yet.
+    fresh: BTreeSet<u32>,
     services: BTreeMap<String, u32>,
     /// `true` until the announced services are named.
     awaits_services: bool,
@@ -63,6 +66,7 @@ impl<'a> ClientSession<'a> {
             arrivals,
             channels: BTreeMap::new(),
             subscriptions: BTreeMap::new(),
+            fresh: BTreeSet::new(),
             services: BTreeMap::new(),
             awaits_services: false,
             waiting: Vec::new(),
@@ -156,9 +160,10 @@ impl<'a> ClientSession<'a> {
 
     fn text(&mut self, message: FromServer, wanted: &BTreeSet<Topic>) -> ToSend {
         match message {
-            FromServer::ServerInfo { capabilities, .. } => {
+            FromServer::ServerInfo { capabilities, metadata, .. } => {
                 self.awaits_services = capabilities.iter().any(|it| it == "services");
-                self.arrivals.begin();
+                let role = metadata.and_then(|it| Role::named(it.get("role")?));
+                self.arrivals.begin(role);
                 vec![]
             }
             FromServer::Advertise { channels } => {
@@ -208,14 +213,19 @@ impl<'a> ClientSession<'a> {
                 // A message on its way when the topic was left is of no use.
                 let Some(topic) = self.subscriptions.get(&subscription) else { return vec![] };
                 self.at = at;
-                match Update::decode(*topic, payload) {
-                    Ok(update) => {
-                        let update = Box::new(update);
-                        self.arrivals.push(Arrival::Update { at, update }, payload.len());
-                        vec![]
-                    }
-                    Err(error) => self.note(Level::Warning, error.to_string()),
+                let mut update = match Update::decode(*topic, payload) {
+                    Ok(update) => update,
+                    Err(error) => return self.note(Level::Warning, error.to_string()),
+                };
+                if self.fresh.remove(&subscription)
+                    && let Update::Block(block) = &mut update
+                {
+                    // A window that followed the key earlier has rows from then.
+                    block.mark_missing();
                 }
+                let update = Box::new(update);
+                self.arrivals.push(Arrival::Update { at, update }, payload.len());
+                vec![]
             }
             ServerFrame::Response { call, payload, .. } => {
                 let reply = serde_json::from_slice(payload);
@@ -236,12 +246,14 @@ impl<'a> ClientSession<'a> {
             .map(|(id, _)| *id)
             .collect();
         self.subscriptions.retain(|_, topic| wanted.contains(topic));
+        self.fresh.retain(|id| self.subscriptions.contains_key(id));
         let followed: BTreeSet<Topic> = self.subscriptions.values().copied().collect();
         let mut subscriptions = Vec::new();
         for topic in wanted.difference(&followed) {
             let Some(channel_id) = self.channels.get(topic).copied() else { continue };
             let id = self.number();
             self.subscriptions.insert(id, *topic);
+            self.fresh.insert(id);
             subscriptions.push(Subscription { id, channel_id });
         }
         let mut to_send = Vec::new();

@@ -67,7 +67,8 @@ pub(crate) fn place(topic: Topic) -> usize {
         | Topic::Deadlines
         | Topic::Links
         | Topic::Midi
-        | Topic::Log => {
+        | Topic::Log
+        | Topic::Status => {
             let common = Topic::COMMON.into_iter().position(|other| other == topic);
             common.unwrap_or(usize::MAX - 1)
         }
@@ -88,7 +89,7 @@ mod tests {
         for topic in Topic::all() {
             assert_eq!(topic_of(channel_id(topic)), Some(topic));
         }
-        for foreign in [0, 186, u32::MAX] {
+        for foreign in [0, 187, u32::MAX] {
             assert_eq!(topic_of(foreign), None, "{foreign}");
         }
     }

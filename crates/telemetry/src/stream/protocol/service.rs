@@ -9,10 +9,13 @@ use crate::Request;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Service {
     UseInstrument,
+    FollowBase,
+    SaveInstrument,
     Stop,
     Press,
     Grip,
     Margin,
+    Figures,
     Identify,
     Scene,
     Record,
@@ -22,12 +25,15 @@ pub enum Service {
 
 impl Service {
     /// Every service, in the order of their numbers.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 13] = [
         Self::UseInstrument,
+        Self::FollowBase,
+        Self::SaveInstrument,
         Self::Stop,
         Self::Press,
         Self::Grip,
         Self::Margin,
+        Self::Figures,
         Self::Identify,
         Self::Scene,
         Self::Record,
@@ -41,10 +47,13 @@ impl Service {
             // A client knows its connection, and follows the status.
             Request::Set { .. } | Request::Where {} | Request::Status {} => None,
             Request::UseInstrument { .. } => Some(Self::UseInstrument),
+            Request::FollowBase { .. } => Some(Self::FollowBase),
+            Request::SaveInstrument { .. } => Some(Self::SaveInstrument),
             Request::Stop {} => Some(Self::Stop),
             Request::Press { .. } => Some(Self::Press),
             Request::Grip { .. } => Some(Self::Grip),
             Request::Margin { .. } => Some(Self::Margin),
+            Request::Figures { .. } => Some(Self::Figures),
             Request::Identify { .. } => Some(Self::Identify),
             Request::Scene {} => Some(Self::Scene),
             Request::Record { .. } => Some(Self::Record),
@@ -66,6 +75,9 @@ impl Service {
             Self::Render => 8,
             Self::Grip => 9,
             Self::Margin => 10,
+            Self::FollowBase => 11,
+            Self::SaveInstrument => 12,
+            Self::Figures => 13,
         }
     }
 
@@ -77,10 +89,13 @@ impl Service {
     pub const fn word(self) -> &'static str {
         match self {
             Self::UseInstrument => "use_instrument",
+            Self::FollowBase => "follow_base",
+            Self::SaveInstrument => "save_instrument",
             Self::Stop => "stop",
             Self::Press => "press",
             Self::Grip => "grip",
             Self::Margin => "margin",
+            Self::Figures => "figures",
             Self::Identify => "identify",
             Self::Scene => "scene",
             Self::Record => "record",
@@ -128,20 +143,19 @@ impl Service {
     fn fields(self) -> Value {
         let key = json!({"type": "integer", "minimum": 0, "maximum": 87});
         let (properties, required) = match self {
-            Self::UseInstrument => (
+            Self::UseInstrument | Self::FollowBase => (
                 json!({
                     "instrument": {"type": "string", "description": "its name or file"},
                     "keys": {"type": ["string", "null"], "description": "as C4..B5; all without"},
                 }),
                 json!(["instrument"]),
             ),
+            Self::SaveInstrument => saved_instrument(),
             Self::Stop | Self::Scene => (json!({}), json!([])),
             Self::Press => {
                 (json!({"key": key, "newtons": {"type": "number"}}), json!(["key", "newtons"]))
             }
-            Self::Margin => {
-                (json!({"key": {"type": "integer", "minimum": 0, "maximum": 87}}), json!(["key"]))
-            }
+            Self::Margin | Self::Figures => (json!({"key": key}), json!(["key"])),
             Self::Grip => (
                 json!({
                     "key": key,
@@ -188,6 +202,26 @@ impl Service {
     }
 }
 
+/// Returns the properties of a request to save an instrument, and their names.
+fn saved_instrument() -> (Value, Value) {
+    let keys = json!({
+        "type": "array",
+        "items": {"type": "array", "description": "as [39, {\"offset\": 1e-4}]"},
+    });
+    let differences = json!({
+        "type": "object",
+        "properties": {"parameter": {"type": "string"}, "keys": keys},
+        "required": ["parameter", "keys"],
+    });
+    let properties = json!({
+        "name": {"type": "string", "description": "its file without folder and ending"},
+        "base": {"type": "string", "description": "the instrument that is changed"},
+        "differences": {"type": "array", "items": differences},
+        "overwrite": {"type": "boolean"},
+    });
+    (properties, json!(["name", "base", "differences", "overwrite"]))
+}
+
 fn setting() -> Value {
     json!({
         "type": "object",
@@ -203,11 +237,14 @@ fn reply() -> Value {
     json!({
         "type": "object",
         "properties": {
-            "reply": {"type": "string", "enum": ["done", "stopped", "scene"]},
+            "reply": {"type": "string", "enum": ["done", "stopped", "scene", "figures"]},
             "text": {"type": "string", "description": "what was done"},
             "told": {"type": "integer", "description": "boards that were told to stop"},
             "boards": {"type": "integer", "description": "boards that were armed"},
             "toml": {"type": "string", "description": "the scene as a file"},
+            "key": {"type": "integer", "description": "the measured key"},
+            "figures": {"type": "array", "items": {"type": "object"}},
+            "warnings": {"type": "array", "items": {"type": "string"}},
         },
         "required": ["reply"],
     })
@@ -253,16 +290,28 @@ impl ServiceSchema {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::request::RenderSetting;
+    use crate::request::{ParameterDifferences, RenderSetting};
+    use keyboard::Difference;
 
     fn requests() -> Vec<Request> {
         let passivity = RenderSetting { name: "render.passivity".into(), value: "control".into() };
         vec![
             Request::UseInstrument { instrument: "grand".to_owned(), keys: None },
+            Request::FollowBase { instrument: "mine".to_owned(), keys: None },
+            Request::SaveInstrument {
+                name: "mine".to_owned(),
+                base: "grand".to_owned(),
+                differences: vec![ParameterDifferences {
+                    parameter: "mh".to_owned(),
+                    keys: vec![(39, Difference::Factor(1.1))],
+                }],
+                overwrite: false,
+            },
             Request::Stop {},
             Request::Press { key: 39, newtons: 2.5 },
             Request::Grip { key: 39, depth: Some(0.5) },
             Request::Margin { key: 39 },
+            Request::Figures { key: 39 },
             Request::Identify { line: 1, board: 2 },
             Request::Scene {},
             Request::Record { file: Some("a.mcap".to_owned()) },

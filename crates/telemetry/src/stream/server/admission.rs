@@ -13,6 +13,9 @@ pub(super) enum AdmissionError {
     /// The origin of a web page is not listed.
     Origin,
     Protocol,
+    /// A token is needed.
+    NoToken,
+    /// The token is unknown.
     Token,
     Full,
 }
@@ -22,7 +25,7 @@ impl AdmissionError {
         match self {
             Self::Origin => StatusCode::FORBIDDEN,
             Self::Protocol => StatusCode::BAD_REQUEST,
-            Self::Token => StatusCode::UNAUTHORIZED,
+            Self::NoToken | Self::Token => StatusCode::UNAUTHORIZED,
             Self::Full => StatusCode::SERVICE_UNAVAILABLE,
         }
     }
@@ -33,9 +36,13 @@ impl AdmissionError {
                 "this web page may not connect: add its origin to those that the host lets in"
             }
             Self::Protocol => "this host speaks foxglove.sdk.v1: ask for it as the subprotocol",
-            Self::Token => {
+            Self::NoToken => {
                 "this host asks for a token: give it as ?token=... or as a Bearer; `letoff dash \
                  --print` on its machine tells it to its user"
+            }
+            Self::Token => {
+                "this host does not know the given token, which may be of an earlier run: `letoff \
+                 dash --print` on its machine prints the present one to its user"
             }
             Self::Full => "this host has as many clients as it takes: close one of them",
         }
@@ -86,7 +93,7 @@ pub(super) fn role(tokens: &[Token], request: &Request) -> Result<Role, Admissio
     if tokens.is_empty() {
         return Ok(Role::Owner);
     }
-    let given = given(request).ok_or(AdmissionError::Token)?;
+    let given = given(request).ok_or(AdmissionError::NoToken)?;
     // All are compared to the end, so that the time reveals nothing.
     let known =
         tokens.iter().filter(|token| bool::from(token.secret.as_bytes().ct_eq(given.as_bytes())));
@@ -142,8 +149,11 @@ mod tests {
         assert_eq!(try_admit("/?token=see", &[PROTOCOL]), Ok(Role::Viewer));
         assert_eq!(try_admit("/?a=b&token=tune", &[PROTOCOL]), Ok(Role::Tuner));
         assert_eq!(try_admit("/", &[PROTOCOL, ("Authorization", "Bearer tune")]), Ok(Role::Tuner));
-        for wrong in ["/", "/?token=", "/?token=tun", "/?token=tunes", "/?Token=tune"] {
+        for wrong in ["/?token=", "/?token=tun", "/?token=tunes"] {
             assert_eq!(try_admit(wrong, &[PROTOCOL]), Err(AdmissionError::Token), "{wrong}");
+        }
+        for none in ["/", "/?Token=tune"] {
+            assert_eq!(try_admit(none, &[PROTOCOL]), Err(AdmissionError::NoToken), "{none}");
         }
         assert_eq!(
             try_admit("/?token=see", &[PROTOCOL, ("Authorization", "Bearer x")]),

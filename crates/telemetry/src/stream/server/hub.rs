@@ -63,6 +63,13 @@ impl Hub {
                 self.with(number, |member| member.watched.remove(&names));
             }
             HubCommand::Changed(parameters) => self.tell_changed(&parameters),
+            HubCommand::Flush(done) => {
+                while let Ok(sample) = self.receivers.samples.try_recv() {
+                    self.take(&sample);
+                }
+                self.take_retained();
+                let _gone = done.send(());
+            }
         }
     }
 
@@ -172,7 +179,10 @@ impl Member {
     /// Sends the last retained samples of `topic` to a client that follows it now.
     fn catch_up(&self, topic: Topic, latest: &BTreeMap<u16, StreamSample>) {
         let Some(subscription) = self.follows.get(&topic) else { return };
-        for sample in latest.values().filter(|sample| sample.topic == topic) {
+        let mut samples: Vec<_> = latest.values().filter(|it| it.topic == topic).collect();
+        // Slots of log lines are used again and again.
+        samples.sort_by_key(|sample| sample.retained.map(|(_slot, order)| order));
+        for sample in samples {
             self.outbox.post(*subscription, sample.clone());
         }
     }

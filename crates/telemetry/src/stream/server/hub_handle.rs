@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::mpsc::error::TrySendError;
-use tokio::sync::{Notify, mpsc};
+use tokio::sync::{Notify, mpsc, oneshot};
 
 use super::following::Following;
 use super::outbox::Outbox;
@@ -31,6 +31,8 @@ pub(super) enum HubCommand {
     Unwatch(ClientNumber, Vec<String>),
     /// These are the new values of parameters.
     Changed(Vec<ParameterValue>),
+    /// All samples so far are to be distributed, and then this answered.
+    Flush(oneshot::Sender<()>),
 }
 
 /// Shared state of publishers and the hub.
@@ -40,6 +42,8 @@ pub(super) struct HubHandle {
     /// Samples that must not be dropped and found no room, by slot, until the hub takes them.
     retained: Mutex<BTreeMap<u16, StreamSample>>,
     order: AtomicU64,
+    /// Number of log lines so far.
+    pub(super) log_lines: AtomicU64,
     /// Notified when a sample was put aside.
     pub(super) is_retained: Notify,
     samples: mpsc::Sender<StreamSample>,
@@ -61,6 +65,7 @@ impl HubHandle {
             following: Following::default(),
             retained: Mutex::default(),
             order: AtomicU64::new(0),
+            log_lines: AtomicU64::new(0),
             is_retained: Notify::new(),
             samples: sender,
             commands,

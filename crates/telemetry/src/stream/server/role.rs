@@ -1,18 +1,7 @@
-use serde::{Deserialize, Serialize};
+pub use crate::role::Role;
 
 use crate::Request;
 use crate::stream::protocol::Service;
-
-/// Rights of a client; each role includes those before it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Role {
-    /// Watches, and may remove all forces.
-    Viewer,
-    Tuner,
-    /// Writes files, and reads the scene.
-    Owner,
-}
 
 impl Role {
     /// Returns the least role that may send `request`.
@@ -30,22 +19,15 @@ impl Role {
         match service {
             Service::Stop => Self::Viewer,
             Service::UseInstrument
+            | Service::FollowBase
             | Service::Load
             | Service::Press
             | Service::Grip
             | Service::Margin
+            | Service::Figures
             | Service::Identify
             | Service::Render => Self::Tuner,
-            Service::Scene | Service::Record => Self::Owner,
-        }
-    }
-
-    /// Returns the role's name in a file of tokens.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Viewer => "viewer",
-            Self::Tuner => "tuner",
-            Self::Owner => "owner",
+            Service::SaveInstrument | Service::Scene | Service::Record => Self::Owner,
         }
     }
 

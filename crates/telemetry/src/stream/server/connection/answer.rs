@@ -3,6 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::mpsc;
+use tokio::task::JoinHandle;
 use tokio_tungstenite::tungstenite::Message;
 
 use crate::stream::protocol::{FromServer, Level, ParameterError, ParameterValue, ServerFrame};
@@ -41,6 +42,14 @@ impl PendingAnswer {
     /// Returns `true` if it overtakes others.
     pub(super) const fn is_urgent(&self) -> bool {
         matches!(self.request, ClientRequest::Call(Ok(Request::Stop {})))
+    }
+
+    /// Returns `true` if it takes seconds and changes nothing.
+    const fn is_measurement(&self) -> bool {
+        matches!(
+            self.request,
+            ClientRequest::Call(Ok(Request::Margin { .. } | Request::Figures { .. }))
+        )
     }
 }
 
@@ -99,15 +108,29 @@ impl Answerer {
     }
 
     pub(super) async fn run(&self, mut pending: mpsc::Receiver<PendingAnswer>) {
-        while let Some(PendingAnswer { receipt, request }) = pending.recv().await {
-            let (parts, copy) = (Arc::clone(&self.0), receipt.clone());
-            // A request that was begun is completed and published, even if this client disconnects.
-            let answered = tokio::task::spawn_blocking(move || parts.answer(copy, request)).await;
-            if answered.is_err() {
-                let text = "the host failed over this request: whether it was done is not known";
-                receipt.refuse(&self.0.outbox, text.to_owned());
+        let mut measurement: Option<JoinHandle<()>> = None;
+        while let Some(answer) = pending.recv().await {
+            if !answer.is_measurement() {
+                complete(Arc::clone(&self.0), answer).await;
+                continue;
             }
+            // One at a time, and other requests do not wait for it.
+            if let Some(last) = measurement.take() {
+                let _ended = last.await;
+            }
+            measurement = Some(tokio::spawn(complete(Arc::clone(&self.0), answer)));
         }
+    }
+}
+
+/// Completes and publishes a request, even if its client disconnects.
+async fn complete(parts: Arc<Parts>, answer: PendingAnswer) {
+    let PendingAnswer { receipt, request } = answer;
+    let (outbox, copy) = (Arc::clone(&parts.outbox), receipt.clone());
+    let answered = tokio::task::spawn_blocking(move || parts.answer(copy, request)).await;
+    if answered.is_err() {
+        let text = "the host failed over this request: whether it was done is not known";
+        receipt.refuse(&outbox, text.to_owned());
     }
 }
 

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::{Board, Status, status};
+
 /// What a host does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -18,6 +20,10 @@ pub enum HostState {
     Stalled,
     /// Forces fade, and notes end.
     Ending,
+    /// Its piece is over, and it ends.
+    Over,
+    /// A stop removed all forces, and it ends.
+    Stopped,
 }
 
 impl HostState {
@@ -30,6 +36,21 @@ impl HostState {
             Self::Playing => "plays",
             Self::Stalled => "hangs",
             Self::Ending => "ends",
+            Self::Over => "has played its piece",
+            Self::Stopped => "was stopped",
+        }
+    }
+
+    const fn message(self) -> status::State {
+        match self {
+            Self::Preparing => status::State::Preparing,
+            Self::Rehearsing => status::State::Rehearsing,
+            Self::Starting => status::State::Arming,
+            Self::Playing => status::State::Playing,
+            Self::Stalled => status::State::Stalled,
+            Self::Ending => status::State::Stopping,
+            Self::Over => status::State::Over,
+            Self::Stopped => status::State::Stopped,
         }
     }
 }
@@ -51,6 +72,18 @@ pub struct HostStatus {
     pub clients: u32,
     /// The file of the recording, if there is one.
     pub recording: Option<String>,
+    /// Begin of the recording (s since 1970).
+    #[serde(default)]
+    pub recording_since: u64,
+    /// Sentence about the run, once it is over.
+    #[serde(default)]
+    pub report: String,
+    /// Boards that received a stop, and boards that were armed, once it was stopped.
+    #[serde(default)]
+    pub stopped: [u32; 2],
+    /// Keys of the scene that no board carries, by number.
+    #[serde(default)]
+    pub absent: Vec<u32>,
     /// The MIDI output in words, or why there is none.
     pub midi: String,
     /// Last faults of voices and changes of boards, the newest last.
@@ -76,6 +109,9 @@ pub struct RunProgress {
     pub dropped: u64,
     /// Keys whose voices are muted, by name.
     pub muted: Vec<String>,
+    /// Keys whose voices are muted, by number.
+    #[serde(default)]
+    pub muted_keys: Vec<u32>,
     /// Work that is left out now, since ticks have more work than time.
     pub left_out: Vec<String>,
     /// Turns of voices that had to wait, since their lanes had no time left.
@@ -127,7 +163,53 @@ impl BoardState {
     }
 }
 
+/// Severity of a state of a board or key.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Severity {
+    Well,
+    /// Some keys have no force, or the board was lost meanwhile.
+    Degraded,
+    /// No key of the board has a force.
+    Lost,
+}
+
+impl Board {
+    /// Returns the severity of the board's state.
+    pub fn severity(&self) -> Severity {
+        if self.state == "armed" && self.muted.is_empty() {
+            Severity::Well
+        } else if self.state.starts_with("armed") {
+            Severity::Degraded
+        } else {
+            Severity::Lost
+        }
+    }
+}
+
 impl HostStatus {
+    /// Returns the message of the topic `/status`, with `boards` on `lines`.
+    pub fn message(&self, boards: Vec<Board>, lines: Vec<String>) -> Status {
+        let [rehearsed, strokes] = self.rehearsed;
+        let [stopped, armed] = self.stopped;
+        Status {
+            state: self.state.message().into(),
+            scene: self.scene.clone(),
+            since: self.since,
+            rehearsed,
+            strokes,
+            report: self.report.clone(),
+            stopped,
+            armed,
+            recording: self.recording.clone().unwrap_or_default(),
+            recording_since: self.recording_since,
+            midi: self.midi.clone(),
+            boards,
+            lines,
+            muted: self.run.muted_keys.clone(),
+            absent: self.absent.clone(),
+        }
+    }
+
     /// Returns what it does and how its boards are, in a line.
     pub fn line(&self) -> String {
         let Self { scene, state, rehearsed: [done, total], .. } = self;

@@ -1,0 +1,19 @@
+//! Flags of a key's rows.
+
+use crate::KeyBlock;
+
+impl KeyBlock {
+    /// Bit of `flags`: the key lies still and its voice sleeps.
+    pub const ASLEEP: u8 = 1;
+    /// Bits of `flags` of which a row has [`Self::ASLEEP`] alone if it holds until the next row.
+    pub const STATE: u8 = 1 | 2 | 4;
+    /// Bit of `flags`: rows before are missing.
+    pub const MISSING: u8 = 8;
+
+    /// Marks that rows before the first one are missing.
+    pub fn mark_missing(&mut self) {
+        if let Some(flags) = self.flags.first_mut() {
+            *flags |= Self::MISSING;
+        }
+    }
+}
