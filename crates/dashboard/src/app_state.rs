@@ -4,12 +4,20 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
+use telemetry::log::Level;
 use telemetry::source::Ticket;
-use telemetry::{Arrival, ConnectionState, Log, Reply, Request, Source, Topic, Update, log};
+use telemetry::stream::Role;
+use telemetry::{
+    Arrival, ConnectionState, Log, Reply, Request, Source, Status, Topic, Update, status,
+};
 
 use crate::names::LAST;
 use crate::scope::Scope;
+use crate::source_state::SourceState;
 use crate::store::Store;
+use crate::store::condition::Conditions;
+use crate::store::journal::Journal;
+use crate::toast::{Toast, ToastAction, Toasts};
 use crate::tune::Tuner;
 use crate::{WallClock, names};
 
@@ -20,9 +28,15 @@ const MOST: usize = 20_000;
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum Purpose {
     Tune,
+    /// A success of it is seen at the key.
+    Press,
+    Record,
     Other,
     Stop,
-    Identify { line: u32, board: u32 },
+    Identify {
+        line: u32,
+        board: u32,
+    },
 }
 
 /// State of a stop that this window asked for.
@@ -34,6 +48,8 @@ pub(crate) enum StopState {
     Confirmed { told: Option<(u32, u32)>, text: String },
     /// Keys may have forces; the sentence explains why that is unknown.
     Unconfirmed(String),
+    /// Keys had no force, and now a host runs again that rejects this window for this reason.
+    RunsAgain(String),
 }
 
 impl StopState {
@@ -46,9 +62,12 @@ impl StopState {
                 Self::Unconfirmed(format!("boards told: {told} of {boards}"))
             }
             Ok(Reply::Done { text }) => Self::Confirmed { told: None, text },
-            Ok(Reply::Scene { .. } | Reply::Where { .. } | Reply::Status { .. }) => {
-                Self::Unconfirmed("the host said something else".to_owned())
-            }
+            Ok(
+                Reply::Scene { .. }
+                | Reply::Where { .. }
+                | Reply::Figures { .. }
+                | Reply::Status { .. },
+            ) => Self::Unconfirmed("the host said something else".to_owned()),
             Err(text) => Self::Unconfirmed(text),
         }
     }
@@ -77,9 +96,6 @@ pub(crate) struct SharedView {
     /// Text of a scene or a preset to be written to a file.
     #[serde(skip)]
     pub(crate) scene: Option<String>,
-    /// The last answer, in a sentence.
-    #[serde(skip)]
-    pub(crate) notice: Option<Result<String, String>>,
     /// Path of a running recording, if this window began it.
     #[serde(skip)]
     pub(crate) recording: Option<String>,
@@ -95,6 +111,9 @@ pub(crate) struct AppState {
     pub(crate) tuner: Tuner,
     pub(crate) view: SharedView,
     pub(crate) stop: Option<StopState>,
+    pub(crate) toasts: Toasts,
+    /// `true` between a new connection and the catalogue or status of its run.
+    awaits_run: bool,
     /// States of boards' lights by line and board.
     lights: BTreeMap<(u32, u32), LightState>,
     asked: BTreeMap<Ticket, Purpose>,
@@ -113,6 +132,8 @@ impl AppState {
             tuner: Tuner::default(),
             view,
             stop: None,
+            toasts: Toasts::default(),
+            awaits_run: true,
             lights: BTreeMap::new(),
             asked: BTreeMap::new(),
             followed: BTreeSet::new(),
@@ -125,13 +146,15 @@ impl AppState {
         for _ in 0..MOST {
             let Some(arrival) = self.source.next() else { break };
             match arrival {
-                Arrival::Update { at, update } => {
-                    self.tuner.take(&update);
-                    self.store.take(at, *update);
-                }
+                Arrival::Update { at, update } => self.take_update(at, *update),
                 Arrival::Reply { ticket, result } => self.take_reply(ticket, result),
                 Arrival::Anew => self.start_anew(),
             }
+        }
+        if let (Some(StopState::Confirmed { .. }), ConnectionState::Refused(why)) =
+            (&self.stop, self.source.standing())
+        {
+            self.stop = Some(StopState::RunsAgain(why));
         }
         let (store, view) = (&self.store, &mut self.view);
         for scope in view.scopes.values_mut() {
@@ -140,19 +163,54 @@ impl AppState {
     }
 
     fn start_anew(&mut self) {
+        let is_live = self.source.timeline().is_none();
+        let log = is_live.then(|| std::mem::replace(&mut self.store.log, Journal::new(0)));
         self.store.forget();
-        self.tuner.forget();
+        if let Some(log) = log {
+            self.store.log = log;
+        }
+        self.awaits_run = is_live;
+        self.tuner.connection_lost();
+        if !is_live {
+            // Another position in a recording has other values.
+            self.new_run();
+        }
         self.view.frozen = None;
         self.lights.clear();
         self.asked.clear();
         self.stop = match self.stop.take() {
-            // Another run begins, which was not stopped.
-            None | Some(StopState::Confirmed { .. }) => None,
+            // A host runs again.
+            None | Some(StopState::Confirmed { .. } | StopState::RunsAgain(_)) => None,
             Some(StopState::Asked { .. }) => {
                 Some(StopState::Unconfirmed("the host was reached anew meanwhile".to_owned()))
             }
             Some(unconfirmed @ StopState::Unconfirmed(_)) => Some(unconfirmed),
         };
+    }
+
+    /// Begins with another run, or with another position in a recording.
+    fn new_run(&mut self) {
+        self.tuner.forget();
+        self.view.recording = None;
+    }
+
+    /// Compares the run behind a new connection with the run before. A run that is not known from
+    /// before is a new one.
+    fn recognise_run(&mut self, update: &Update) {
+        let before = self.store.catalogue.as_ref().map(|it| it.run.as_str());
+        let is_known = if let Update::Catalogue(it) = update {
+            before == Some(it.run.as_str())
+        } else if is_before_ticks(update) {
+            // A host has no catalogue yet.
+            false
+        } else {
+            return;
+        };
+        self.awaits_run = false;
+        if !is_known {
+            self.store.forget_run();
+            self.new_run();
+        }
     }
 
     fn take_reply(&mut self, ticket: Ticket, result: Result<Reply, String>) {
@@ -164,38 +222,79 @@ impl AppState {
             }
             return;
         }
+        if self.tuner.checks.answered(ticket, &result) {
+            return;
+        }
         if purpose == Some(Purpose::Tune) {
             self.tuner.answered(ticket, result.as_ref().map(|_| ()).map_err(String::as_str));
         }
         if let Some(Purpose::Identify { line, board }) = purpose {
             self.lights.insert((line, board), LightState::Answered(sentence(&result)));
         }
-        let is_tuned = purpose == Some(Purpose::Tune) && result.is_ok();
-        self.view.notice = match result {
-            Ok(Reply::Scene { toml }) => {
-                self.view.scene = Some(toml);
-                None
-            }
-            Ok(Reply::Done { .. }) if is_tuned => None,
-            Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Some(Ok(text)),
-            Ok(Reply::Where { address, token: _ }) => Some(Ok(address)),
-            Ok(Reply::Status { status }) => Some(Ok(status.line())),
+        let is_seen = matches!(purpose, Some(Purpose::Tune | Purpose::Press));
+        match result {
+            Ok(Reply::Scene { toml }) => self.view.scene = Some(toml),
+            Ok(Reply::Done { .. }) if is_seen => {}
+            Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => self.notify(Ok(text)),
+            Ok(Reply::Where { address, token: _ }) => self.notify(Ok(address)),
+            Ok(Reply::Status { status }) => self.notify(Ok(status.line())),
+            Ok(Reply::Figures { warnings, .. }) if warnings.is_empty() => {}
+            Ok(Reply::Figures { warnings, .. }) => self.notify(Err(warnings.join("; "))),
             Err(text) => {
-                let level = log::Level::Error.into();
-                self.store.log.push(Log { level, text: text.clone() });
-                Some(Err(text))
+                if purpose == Some(Purpose::Record) {
+                    self.view.recording = None;
+                }
+                self.notify(Err(text));
             }
-        };
+        }
     }
 
-    /// Sends a request; its answer is shown in the bar.
+    /// Shows a result in the corner of the window, and keeps it in the log.
+    pub(crate) fn notify(&mut self, result: Result<String, String>) {
+        let (level, text) = match result {
+            Ok(text) => (Level::Info, text),
+            Err(text) => (Level::Error, text),
+        };
+        self.show(Toast { text, level, actions: Vec::new() });
+    }
+
+    /// Shows `toast` in the corner of the window, and keeps its text in the log.
+    pub(crate) fn show(&mut self, toast: Toast) {
+        self.store.log.push((0, Log { level: toast.level.into(), text: toast.text.clone() }));
+        self.toasts.push(toast, (self.clock)());
+    }
+
+    /// Returns the state of the source and of the host behind it.
+    pub(crate) fn source_state(&self) -> SourceState {
+        SourceState::new(self.source.standing(), self.store.status.as_ref())
+    }
+
+    /// Returns `true` if the host accepts changes from this window.
+    pub(crate) fn may_change(&self) -> bool {
+        self.may(Role::Tuner)
+    }
+
+    /// Returns `true` if a host is connected and grants `role`.
+    pub(crate) fn may(&self, role: Role) -> bool {
+        let is_live = self.source.standing() == ConnectionState::Live;
+        is_live && self.source.role().is_none_or(|granted| role <= granted)
+    }
+
+    /// Sends a request; its answer is shown in the corner of the window.
     pub(crate) fn ask(&mut self, request: Request) {
+        let purpose = if matches!(request, Request::Press { .. } | Request::Grip { .. }) {
+            Purpose::Press
+        } else if matches!(request, Request::Record { .. }) {
+            Purpose::Record
+        } else {
+            Purpose::Other
+        };
         let ticket = self.source.ask(request);
-        self.asked.insert(ticket, Purpose::Other);
+        self.asked.insert(ticket, purpose);
     }
 
     pub(crate) fn stop(&mut self) {
-        if self.source.standing() == ConnectionState::Recording {
+        if self.source.timeline().is_some() {
             // A recording has no keys and rejects the request like any other.
             return self.ask(Request::Stop {});
         }
@@ -204,7 +303,6 @@ impl AppState {
         if !matches!(self.stop, Some(StopState::Confirmed { .. })) {
             self.stop = Some(StopState::Asked { at: (self.clock)() });
         }
-        self.view.notice = None;
     }
 
     /// Asks a board to show its light; the answer is also shown beside the board.
@@ -216,8 +314,8 @@ impl AppState {
 
     /// Sends changed values, and follows the keys that are drawn.
     pub(crate) fn flush(&mut self) {
-        if let Some(changes) = self.tuner.outgoing() {
-            let ticket = self.source.ask(Request::Set { changes });
+        if let Some(request) = self.tuner.outgoing().filter(|_| self.may_change()) {
+            let ticket = self.source.ask(request);
             self.tuner.sent(ticket);
             self.asked.insert(ticket, Purpose::Tune);
         }
@@ -272,6 +370,24 @@ impl AppState {
         self.view.range = (key.min(selected), key.max(selected));
     }
 
+    pub(crate) fn undo(&mut self) {
+        let keys = self.tuner.undo();
+        self.show_keys(keys);
+    }
+
+    pub(crate) fn redo(&mut self) {
+        let keys = self.tuner.redo();
+        self.show_keys(keys);
+    }
+
+    /// Selects changed keys, unless the selected key is one of them: no change happens unseen.
+    pub(crate) fn show_keys(&mut self, keys: Option<RangeInclusive<u8>>) {
+        if let Some(keys) = keys.filter(|keys| !keys.contains(&self.view.selected)) {
+            self.select(*keys.start());
+            self.select_up_to(*keys.end());
+        }
+    }
+
     /// Returns the age of the newest message (s), as far as both clocks agree.
     pub(crate) fn latency(&self) -> Option<f64> {
         let at = self.store.newest_at();
@@ -288,20 +404,44 @@ impl AppState {
         }
     }
 
-    /// Takes a message as if from the source, for measurements.
+    /// Takes a message from `at` (ns since 1970).
     pub(crate) fn take_update(&mut self, at: u64, update: Update) {
+        if self.awaits_run {
+            self.recognise_run(&update);
+        }
+        if let Update::Status(status) = &update {
+            self.report_boards(status);
+        }
         self.tuner.take(&update);
         self.store.take(at, update);
     }
+
+    /// Shows each board that renders no force since the last status.
+    fn report_boards(&mut self, now: &Status) {
+        let before = self.store.conditions.boards.clone();
+        let now = Conditions::new(&now.boards, &now.lines, Some(now)).boards;
+        before.iter().filter(|text| !now.contains(text)).for_each(|text| self.toasts.end(text));
+        for text in now.into_iter().filter(|text| !before.contains(text)) {
+            let actions = vec![("Show links".to_owned(), ToastAction::ShowLinks)];
+            self.show(Toast { text, level: Level::Error, actions });
+        }
+    }
+}
+
+fn is_before_ticks(update: &Update) -> bool {
+    matches!(update, Update::Status(it) if it.state() < status::State::Playing)
 }
 
 fn sentence(result: &Result<Reply, String>) -> Result<String, String> {
     match result {
         Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Ok(text.clone()),
         // The reply has an unexpected kind, but it is a reply.
-        Ok(Reply::Scene { .. } | Reply::Where { .. } | Reply::Status { .. }) => {
-            Ok("done".to_owned())
-        }
+        Ok(
+            Reply::Scene { .. }
+            | Reply::Where { .. }
+            | Reply::Figures { .. }
+            | Reply::Status { .. },
+        ) => Ok("done".to_owned()),
         Err(text) => Err(text.clone()),
     }
 }

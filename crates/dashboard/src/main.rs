@@ -23,6 +23,10 @@ struct DashboardArguments {
     /// A host's address, or a recording (.mcap).
     #[arg(value_name = "ADDRESS | FILE.mcap", default_value = USUAL)]
     target: String,
+    /// Control socket of a host on this machine, which is asked for its address and secret, also
+    /// after the host was started again.
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["token", "fingerprint", "demo"])]
+    socket: Option<PathBuf>,
     /// What the host wants to hear before something may be changed; or LETOFF_TOKEN has it.
     #[arg(long)]
     token: Option<String>,
@@ -58,6 +62,8 @@ fn run(arguments: DashboardArguments) -> Result<(), Sentence> {
     }
     let target = if arguments.demo {
         WindowTarget::Demonstration
+    } else if let Some(path) = arguments.socket {
+        WindowTarget::Socket(path)
     } else {
         let token = arguments.token.or_else(|| std::env::var("LETOFF_TOKEN").ok());
         WindowTarget::of(&arguments.target, token, arguments.fingerprint)

@@ -1,8 +1,8 @@
-//! Names of keys: A0 is key 0, C8 is key 87.
+//! Names of keys and parameters: A0 is key 0, C8 is key 87.
 
 use std::ops::RangeInclusive;
 
-use telemetry::KeyIndex;
+use telemetry::{KeyIndex, Parameter};
 
 /// Number of the last key, C8.
 pub const LAST: u8 = KeyIndex::HIGHEST.number();
@@ -10,6 +10,11 @@ pub const LAST: u8 = KeyIndex::HIGHEST.number();
 /// Returns the name of `key`, as `C#4`.
 pub fn name(key: u8) -> String {
     telemetry::key_name(key.into())
+}
+
+/// Returns the technician's term of a parameter, or else its name.
+pub fn title(parameter: &Parameter) -> &str {
+    if parameter.title.is_empty() { &parameter.name } else { &parameter.title }
 }
 
 pub fn is_black(key: u8) -> bool {

@@ -1,6 +1,7 @@
 //! Opens a host, a recording, or the demonstration.
 
 use std::fmt;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -21,6 +22,8 @@ pub enum WindowTarget {
         token: Option<String>,
         fingerprint: Option<String>,
     },
+    /// The host of this machine with this control socket, which reports address and secret.
+    Socket(PathBuf),
     Recording {
         file: String,
     },
@@ -56,14 +59,11 @@ pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source
     match target {
         WindowTarget::Host { address, token, fingerprint } => {
             let pin = fingerprint.as_deref().map(pin).transpose()?;
-            let dial = Dial { address: address.clone(), token: token.clone(), pin };
-            let make = |notifier: Notifier| -> Result<Box<dyn Source + Send>, Sentence> {
-                let notify = move || {
-                    let _gone = notifier.notify();
-                };
-                Ok(Box::new(Client::connect(dial, Some(Box::new(notify)))))
-            };
-            Ok(Box::new(SourceThread::start(make, Arc::clone(wake))?))
+            let (address, token) = (address.clone(), token.clone());
+            connect(Dial { address, token, pin, socket: None }, wake)
+        }
+        WindowTarget::Socket(path) => {
+            connect(Dial { socket: Some(path.clone()), ..Dial::default() }, wake)
         }
         WindowTarget::Recording { file } => {
             let recording = Recording::open(file).map_err(|error| Sentence(error.to_string()))?;
@@ -74,6 +74,16 @@ pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source
             Ok(Box::new(playback))
         }
     }
+}
+
+fn connect(dial: Dial, wake: &RepaintWaker) -> Result<Box<dyn Source>, Sentence> {
+    let make = |notifier: Notifier| -> Result<Box<dyn Source + Send>, Sentence> {
+        let notify = move || {
+            let _gone = notifier.notify();
+        };
+        Ok(Box::new(Client::connect(dial, Some(Box::new(notify)))))
+    };
+    Ok(Box::new(SourceThread::start(make, Arc::clone(wake))?))
 }
 
 fn pin(text: &str) -> Result<Fingerprint, Sentence> {

@@ -8,7 +8,8 @@ use std::thread;
 use std::time::Duration;
 
 use telemetry::source::Ticket;
-use telemetry::{Arrival, ConnectionState, Request, Source, Topic, Update};
+use telemetry::stream::Role;
+use telemetry::{Arrival, ConnectionState, Request, Source, Status, Topic, Update};
 
 use crate::RepaintWaker;
 use crate::store::key_summary::KeySummaries;
@@ -45,7 +46,7 @@ impl Notifier {
 pub struct SourceThread {
     arrivals: Receiver<Arrival>,
     commands: Sender<SourceCommand>,
-    standing: Arc<Mutex<ConnectionState>>,
+    standing: Arc<Mutex<(ConnectionState, Option<Role>)>>,
     name: String,
     tickets: u64,
 }
@@ -59,7 +60,7 @@ impl SourceThread {
         let (commands, received) = channel();
         let source = make(Notifier(commands.clone()))?;
         let (given, arrivals) = sync_channel(WAITING);
-        let standing = Arc::new(Mutex::new(source.standing()));
+        let standing = Arc::new(Mutex::new((source.standing(), source.role())));
         let name = source.name();
         let worker = Worker {
             source,
@@ -67,6 +68,7 @@ impl SourceThread {
             wake,
             standing: Arc::clone(&standing),
             summaries: KeySummaries::default(),
+            status: None,
             tickets: BTreeMap::new(),
         };
         thread::spawn(move || worker.run(&received));
@@ -96,7 +98,11 @@ impl Source for SourceThread {
     }
 
     fn standing(&self) -> ConnectionState {
-        self.standing.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        self.standing.lock().unwrap_or_else(PoisonError::into_inner).0.clone()
+    }
+
+    fn role(&self) -> Option<Role> {
+        self.standing.lock().unwrap_or_else(PoisonError::into_inner).1
     }
 
     fn name(&self) -> String {
@@ -108,8 +114,10 @@ struct Worker {
     source: Box<dyn Source + Send>,
     given: SyncSender<Arrival>,
     wake: RepaintWaker,
-    standing: Arc<Mutex<ConnectionState>>,
+    standing: Arc<Mutex<(ConnectionState, Option<Role>)>>,
     summaries: KeySummaries,
+    /// The last status, which a host repeats.
+    status: Option<Status>,
     /// The window's ticket by the source's.
     tickets: BTreeMap<Ticket, Ticket>,
 }
@@ -140,7 +148,7 @@ impl Worker {
             soon = Some(soon.map_or(worth, |it: Duration| it.min(worth)));
             self.given.send(arrival).ok()?;
         }
-        let standing = self.source.standing();
+        let standing = (self.source.standing(), self.source.role());
         let mut told = self.standing.lock().unwrap_or_else(PoisonError::into_inner);
         if *told != standing {
             *told = standing;
@@ -172,6 +180,7 @@ impl Worker {
                 self.summaries.take(it);
                 is_new
             }
+            Update::Status(it) => self.status.replace(it.clone()).as_ref() != Some(it),
             Update::Ticks(_) | Update::Deadlines(_) | Update::Links(_) => false,
             Update::Catalogue(_)
             | Update::Voice(_)

@@ -1,6 +1,9 @@
 //! Colours that colour-blind people distinguish (Okabe and Ito), and the window's style.
 
 use eframe::egui::{self, Color32, CornerRadius, FontId, Style, TextStyle, Theme, Visuals};
+use telemetry::Severity;
+
+use crate::grid;
 
 pub(crate) const ORANGE: Color32 = Color32::from_rgb(0xE6, 0x9F, 0x00);
 pub(crate) const SKY: Color32 = Color32::from_rgb(0x56, 0xB4, 0xE9);
@@ -42,23 +45,22 @@ pub(crate) fn spacer(
     lines: f64,
 ) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
     egui_plot::uniform_grid_spacer(move |input: egui_plot::GridInput| {
-        let step = crate::number::round((input.bounds.1 - input.bounds.0) / lines);
+        let step = grid::step(input.bounds, lines);
         [step, 10.0 * step, 100.0 * step]
     })
 }
 
-/// Returns a [`spacer`] for a horizontal axis of this length: a short axis has fewer lines, so that
-/// their numbers fit.
+/// Returns a [`spacer`] for a horizontal axis of this length.
 pub(crate) fn spacer_across(
     points: f32,
 ) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
-    spacer(f64::from(points / 160.0).clamp(1.0, 4.0))
+    spacer(grid::lines_across(points))
 }
 
 pub(crate) fn spacer_up(
     points: f32,
 ) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
-    spacer(f64::from(points / 60.0).clamp(1.5, 3.0))
+    spacer(grid::lines_up(points))
 }
 
 pub(crate) const fn selected(visuals: &Visuals) -> Color32 {
@@ -67,6 +69,25 @@ pub(crate) const fn selected(visuals: &Visuals) -> Color32 {
 
 pub(crate) fn fault(ui: &egui::Ui) -> Color32 {
     if ui.visuals().dark_mode { Color32::from_rgb(0xFF, 0x84, 0x3D) } else { VERMILLION }
+}
+
+/// Returns the colour of texts about a degraded state.
+pub(crate) fn warning(ui: &egui::Ui) -> Color32 {
+    if ui.visuals().dark_mode { ORANGE } else { Color32::from_rgb(0x8A, 0x5A, 0x00) }
+}
+
+/// Returns the colour of texts about a normal state.
+pub(crate) fn well(ui: &egui::Ui) -> Color32 {
+    if ui.visuals().dark_mode { Color32::from_rgb(0x2C, 0xC4, 0x96) } else { GREEN }
+}
+
+/// Returns the colour of a text about a state of this severity.
+pub(crate) fn severity(severity: Severity, ui: &egui::Ui) -> Color32 {
+    match severity {
+        Severity::Well => well(ui),
+        Severity::Degraded => warning(ui),
+        Severity::Lost => fault(ui),
+    }
 }
 
 pub(crate) fn faint(color: Color32, share: f32) -> Color32 {

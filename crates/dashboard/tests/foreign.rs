@@ -5,8 +5,8 @@
 use dashboard::{App, Pane};
 use eframe::egui::{self, Theme};
 use telemetry::{
-    Body, Coil, Deadlines, Drawing, Event, Follower, KeyBlock, Line, Links, Midi, Outline,
-    Overview, Spread, Ticks, Update, Voice,
+    Board, Body, Coil, Deadlines, Drawing, Event, Follower, KeyBlock, Line, Links, Midi, Outline,
+    Overview, Spread, Status, Ticks, Update, Voice,
 };
 
 use crate::common::snapshot::Canvas;
@@ -94,6 +94,13 @@ fn machine(odd: f64) -> Vec<Update> {
         Update::Links(Links { lines: vec![line], ..Links::default() }),
         Update::Event(Event { kind: 5, theta: odd, key: 4000, speed: odd, ..Event::default() }),
         Update::Event(Event { kind: 77, tick: u64::MAX, key: KEY, ..Event::default() }),
+        Update::Status(Status {
+            state: 99,
+            boards: vec![Board { line: 7, first_key: 80, keys: u32::MAX, ..Board::default() }],
+            muted: vec![88, u32::MAX],
+            absent: vec![u32::MAX, 87],
+            ..Status::default()
+        }),
         Update::Midi(Midi { at: odd, bytes: vec![0; 3], ..Midi::default() }),
     ]
 }

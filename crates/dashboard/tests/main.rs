@@ -3,4 +3,5 @@
 mod common;
 mod foreign;
 mod panels;
+mod scopes;
 mod snapshots;

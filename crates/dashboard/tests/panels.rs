@@ -5,7 +5,7 @@ use std::time::Duration;
 use dashboard::{Pane, SavedWindow};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use telemetry::{Catalogue, Model, Request, Signal, Update, signal};
 
 use crate::common::{Behind, TestWindow, open, open_with, wrong_description};
@@ -71,23 +71,24 @@ fn a_slider_is_dragged_and_the_host_is_asked() {
     let mut window = open(Pane::Tuning, Behind::Live);
     slide(&mut window, "rebound", 0.8);
     let asked = window.set(C4, "rebound");
-    assert!(asked.last().is_some_and(|it| near(*it, 0.72, 0.03)), "{asked:?}");
+    // A slider reaches 25 steps to each side, here of 0.002: the recording has none.
+    assert!(asked.last().is_some_and(|it| near(*it, 0.43, 0.003)), "{asked:?}");
     window.click("Undo");
     assert!(window.set(C4, "rebound").last().is_some_and(|it| near(*it, 0.4, 1e-9)));
     window.click("Redo");
-    assert!(window.set(C4, "rebound").last().is_some_and(|it| near(*it, 0.72, 0.03)));
+    assert!(window.set(C4, "rebound").last().is_some_and(|it| near(*it, 0.43, 0.003)));
 }
 
 #[test]
 fn any_step_is_one_click_away() {
     let mut window = open(Pane::Tuning, Behind::Live);
-    for value in ["7250", "8000", "9000"] {
+    for value in ["7.25", "8,0", "9000 N/m"] {
         write(&mut window, "lever leather value", value);
     }
     window.click("History");
-    window.click("k_drive of C4: from 1000 to 7250 N/m");
+    window.click("lever leather of C4: from 1 N/mm to 7.25 N/mm");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&7250.0));
-    window.click("k_drive of C4: from 8000 to 9000 N/m");
+    window.click("lever leather of C4: from 8 N/mm to 9 N/mm");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&9000.0));
     window.click("as it was before");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&1000.0));
@@ -100,15 +101,15 @@ fn a_step_of_many_keys_says_which() {
     window.click("link");
     window.click("same value");
     window.click("All keys");
-    write(&mut window, "hammer mass value", "0.005");
+    write(&mut window, "hammer mass value", "5");
     window.click("Store A");
-    write(&mut window, "hammer mass value", "0.004");
-    write(&mut window, "lever leather value", "9000");
+    write(&mut window, "hammer mass value", "4 g");
+    write(&mut window, "lever leather value", "9");
     window.click("A");
     window.click("History");
     for step in [
-        "mh of A0..C8, same value: from 0.0012828..0.001331 to 0.005 kg",
-        "k_drive of A0..C8, same value: from 1000 to 9000 N/m",
+        "hammer mass of A0..C8, same value: from 1.331 g..1.2828 g to 5 g",
+        "lever leather of A0..C8, same value: from 1 N/mm to 9 N/mm",
         "A: 6 values of C4..G4",
     ] {
         assert!(window.has(step), "{step}");
@@ -119,19 +120,20 @@ fn a_step_of_many_keys_says_which() {
 fn a_field_that_is_left_as_it_was_changes_nothing() {
     let mut window = open(Pane::Tuning, Behind::Live);
     // More digits than the field shows.
-    write(&mut window, "hammer mass value", "0.00234567");
+    write(&mut window, "hammer mass value", "2.34567");
     let before = window.set(C4, "mh");
     window.click("hammer mass value");
     window.press(Modifiers::NONE, Key::Enter);
-    assert_eq!((before.last(), window.set(C4, "mh")), (Some(&0.002_345_67), before.clone()));
+    assert!(before.last().is_some_and(|it| near(*it, 0.002_345_67, 1e-12)), "{before:?}");
+    assert_eq!(window.set(C4, "mh"), before);
 }
 
 #[test]
 fn a_value_is_typed_and_taken_back_with_the_keyboard() {
     let mut window = open(Pane::Tuning, Behind::Live);
-    write(&mut window, "lever leather value", "7250");
+    write(&mut window, "lever leather value", "7.25");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&7250.0));
-    write(&mut window, "lever leather value", "1e9");
+    write(&mut window, "lever leather value", "100 N/mm");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&100_000.0));
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(window.set(C4, "k_drive").last(), Some(&7250.0));
@@ -139,10 +141,75 @@ fn a_value_is_typed_and_taken_back_with_the_keyboard() {
     assert_eq!(window.set(C4, "k_drive").last(), Some(&100_000.0));
 }
 
+/// Returns the text of the field that is called `label`, and the reason for its refusal.
+fn field(window: &TestWindow, label: &str) -> (String, Option<String>) {
+    let node = window.harness.get_by_label(label);
+    (node.value().unwrap_or_default(), node.accesskit_node().description())
+}
+
+#[test]
+fn a_refused_text_stays_with_its_reason_and_is_not_sent() {
+    let mut window = open(Pane::Tuning, Behind::Live);
+    for (wrong, why) in [
+        ("1 kg", "\"kg\" is another unit; write a number of N/mm."),
+        ("many", "This is not a number; write a number of N/mm."),
+        ("1e9", "It must be 0.05 to 100 N/mm."),
+    ] {
+        write(&mut window, "lever leather value", wrong);
+        let expected = (wrong.to_owned(), Some(why.to_owned()));
+        assert_eq!(field(&window, "lever leather value"), expected);
+        // Neither does another field take it away.
+        window.click("hammer mass value");
+        assert_eq!(field(&window, "lever leather value"), expected);
+    }
+    assert!(window.asked().is_empty(), "{:?}", window.asked());
+    window.click("lever leather value");
+    window.press(Modifiers::NONE, Key::Escape);
+    assert_eq!(field(&window, "lever leather value"), ("1 N/mm".to_owned(), None));
+}
+
+#[test]
+fn arrow_keys_and_the_wheel_move_a_focused_field_by_steps() {
+    let mut window = open(Pane::Tuning, Behind::Live);
+    let last = |window: &TestWindow| window.set(C4, "k_drive").last().copied().unwrap_or_default();
+    window.click("lever leather value");
+    window.press(Modifiers::NONE, Key::ArrowUp);
+    assert!(near(last(&window), 1200.0, 1e-6), "{}", last(&window));
+    window.press(Modifiers::SHIFT, Key::ArrowDown);
+    assert!(near(last(&window), 1180.0, 1e-6), "{}", last(&window));
+    let before = last(&window);
+    window.harness.hover_at(window.rect("lever leather value").center());
+    window.harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Line,
+        delta: vec2(0.0, 1.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Unknown,
+        modifiers: Modifiers::NONE,
+    });
+    window.settle();
+    assert!(near(last(&window), before + 200.0, 1e-6), "{}", last(&window));
+}
+
+#[test]
+fn a_click_on_a_slider_changes_nothing_and_arrow_keys_move_it() {
+    let mut window = open(Pane::Tuning, Behind::Live);
+    let track = window.harness.get_by_role_and_label(Role::Slider, "rebound").rect();
+    for share in [0.1, 0.5, 0.9] {
+        let at = track.left_center() + vec2(track.width() * share, 0.0);
+        window.drag(at, at, PointerButton::Primary);
+    }
+    assert!(window.asked().is_empty(), "{:?}", window.asked());
+    window.harness.get_by_role_and_label(Role::Slider, "rebound").focus();
+    window.settle();
+    window.press(Modifiers::NONE, Key::ArrowRight);
+    let asked = window.set(C4, "rebound");
+    assert!(asked.last().is_some_and(|it| near(*it, 0.402, 1e-9)), "{asked:?}");
+}
+
 #[test]
 fn a_value_goes_back_to_the_instrument_s() {
     let mut window = open(Pane::Tuning, Behind::Live);
-    write(&mut window, "lever leather value", "7250");
+    write(&mut window, "lever leather value", "7.25");
     window.click("reset lever leather");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&1000.0));
 }
@@ -151,7 +218,7 @@ fn a_value_goes_back_to_the_instrument_s() {
 fn a_and_b_are_compared() {
     let mut window = open(Pane::Tuning, Behind::Live);
     window.click("Store A");
-    write(&mut window, "lever leather value", "10000");
+    write(&mut window, "lever leather value", "10");
     window.click("Store B");
     window.click("A");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&1000.0));
@@ -170,30 +237,25 @@ fn a_snapshot_is_kept_and_recalled() {
     window.click_role(Role::TextInput, "snapshot");
     window.type_in("soft");
     window.click("Keep");
-    write(&mut window, "lever leather value", "10000");
+    write(&mut window, "lever leather value", "10");
     window.click("Recall soft");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&1000.0));
 }
 
 #[test]
-fn a_scene_and_a_preset_are_shown_as_files() {
+fn a_scene_is_shown_as_a_file_and_replaces_another_only_by_a_button_that_says_so() {
     let mut window = open(Pane::Tuning, Behind::Live);
     window.click("Save scene");
     assert_eq!(window.asked().last(), Some(&Request::Scene {}));
     window.settle();
     let file = window.harness.get_by_label("file").value().unwrap_or_default();
     assert!(file.contains("title = \"Demonstration\""), "{file}");
-    window.click("Save preset");
-    let file = window.harness.get_by_label("file").value().unwrap_or_default();
-    assert!(file.contains("model = \"viennese\""), "{file}");
-    let path = std::env::temp_dir().join(format!("letoff-preset-{}.toml", std::process::id()));
+    let path = std::env::temp_dir().join(format!("letoff-scene-{}.toml", std::process::id()));
     window.click_role(Role::TextInput, "to");
     window.type_in(path.display().to_string());
     window.click("Write");
     assert_eq!(std::fs::read_to_string(&path).expect("it is written"), file);
-    // An existing file is not overwritten.
-    window.click("Write");
-    assert!(window.says("cannot be written"));
+    assert!(window.has("Replace") && !window.has("Write"));
     std::fs::remove_file(&path).expect("it was there");
 }
 
@@ -286,7 +348,8 @@ fn a_stop_that_is_not_confirmed_says_to_cut_the_power() {
     let title = "STOP NOT CONFIRMED: CUT THE POWER";
     assert!(window.has(title) && window.says("the connection was lost before the host answered"));
     // Each label has its own place, and none covers another.
-    let texts = [title, "the host ended the connection", "Dismiss", "lost", "demonstration.mcap"];
+    let texts =
+        [title, "the host ended the connection", "Dismiss", "No host", "demonstration.mcap"];
     let rects = texts.map(|text| window.rect(text));
     for (i, a) in rects.iter().enumerate() {
         let is_over = |b: &egui::Rect| a.shrink(1.0).intersects(b.shrink(1.0));
@@ -623,9 +686,11 @@ fn a_recording_is_scrubbed_paused_and_found_again() {
 #[test]
 fn a_recording_cannot_be_changed_and_says_so() {
     let mut window = open(Pane::Tuning, Behind::Recording);
-    write(&mut window, "lever leather value", "7250");
-    assert!(window.says("this is a recording: nothing in it can be changed"));
-    assert!(!window.has("Record"));
+    let field = window.harness.get_by_label("lever leather value");
+    assert!(field.accesskit_node().is_disabled());
+    write(&mut window, "lever leather value", "7.25");
+    assert_eq!(window.set(C4, "k_drive"), [0.0; 0]);
+    assert!(window.says("Recording file") && !window.has("Record"));
 }
 
 #[test]
@@ -740,7 +805,7 @@ fn everything_is_within_reach_in_a_narrow_tile() {
                 "lock gravity",
                 "morph",
                 "History",
-                "Save preset",
+                "Save instrument",
             ],
         ),
         (Pane::Midi, &["only with", "Clear"]),

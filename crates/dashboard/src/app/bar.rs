@@ -2,8 +2,12 @@
 
 use std::time::Duration;
 
-use eframe::egui::{self, Align, Button, Color32, Layout, Panel, RichText, Ui};
-use telemetry::{ConnectionState, Request};
+use eframe::egui::{
+    self, Align, Area, Button, Color32, Frame, Id, Layout, Margin, Panel, RichText, Sense, Ui,
+    pos2, vec2,
+};
+use telemetry::Request;
+use telemetry::stream::Role;
 
 use super::{App, shortcuts};
 use crate::app_state::{AppState, StopState};
@@ -14,10 +18,14 @@ use crate::{theme, unit};
 /// Age of messages above which it is shown as a fault (s).
 const OLD: f64 = 0.5;
 
+/// Width of the pill (points), for its longest usual text: what follows does not move.
+const PILL: f32 = 150.0;
+
 pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
-    Panel::top("bar").show(ui, |ui| {
+    let bar = Panel::top("bar").show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.strong("Letoff");
+            pill_ui(ui, &app.state);
             panels_menu_ui(ui, app);
             view_menu_ui(ui, app);
             ui.separator();
@@ -30,51 +38,52 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| status_ui(ui, app));
             });
         });
-        messages_ui(ui, &mut app.state);
     });
-    stop_state_ui(ui, &mut app.state);
+    stop_state_ui(ui.ctx(), &mut app.state, bar.response.rect);
 }
 
+/// Draws source and scene, as far as there is room.
 fn status_ui(ui: &mut Ui, app: &mut App) {
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
-    connection_ui(ui, &app.state);
+    ui.weak(app.state.source.name());
     run_ui(ui, &app.state);
-    answer_ui(ui, &mut app.state);
-}
-
-/// Draws errors in a separate line: a lost connection, and rejected requests.
-fn messages_ui(ui: &mut Ui, state: &mut AppState) {
-    if let ConnectionState::Lost(why) | ConnectionState::Refused(why) = state.source.standing() {
+    let shown = app.state.source_state();
+    if let Some(why) = shown.why_apart() {
+        ui.separator();
         ui.colored_label(theme::fault(ui), why);
     }
-    if let Some(Err(text)) = &state.view.notice {
-        let text = RichText::new(text).color(theme::fault(ui));
-        if ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked() {
-            state.view.notice = None;
-        }
-    }
 }
 
-/// Draws the last answer, as far as there is room: panels do not move for it.
-fn answer_ui(ui: &mut Ui, state: &mut AppState) {
-    let Some(Ok(text)) = &state.view.notice else { return };
-    ui.separator();
-    if ui.add(egui::Label::new(text.as_str()).sense(egui::Sense::click())).clicked() {
-        state.view.notice = None;
-    }
+/// Draws the state of the source and the host, and the role if it is not the owner's.
+fn pill_ui(ui: &mut Ui, state: &AppState) {
+    let shown = state.source_state();
+    let color = shown.severity().map_or(theme::line(0, ui), |it| theme::severity(it, ui));
+    let role = state.source.role().filter(|role| *role != Role::Owner);
+    let role = role.map_or_else(String::new, |role| format!(" · {}", role.name()));
+    let text = format!("{}{role}", shown.label());
+    let frame = Frame::new().fill(theme::faint(color, 0.2)).corner_radius(8);
+    let pill = frame.inner_margin(Margin::symmetric(8, 1)).show(ui, |ui| {
+        ui.set_min_width(PILL);
+        let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+        ui.painter().circle_filled(rect.center(), 4.5, color);
+        ui.label(text);
+    });
+    let why = shown.why_empty().unwrap_or_else(|| "The host plays.".to_owned());
+    let apart = shown.why_apart().map_or_else(String::new, |why| format!("\n{why}"));
+    pill.response.on_hover_text(format!("{why}{apart}"));
 }
 
 /// Time for the host's answer to a stop, after which its silence is shown (ns).
 const SILENCE: u64 = 1_500_000_000;
 
 /// Draws the state of a stop in letters that can be read from the keyboard.
-fn stop_state_ui(ui: &mut Ui, state: &mut AppState) {
+fn stop_state_ui(ctx: &egui::Context, state: &mut AppState, bar: egui::Rect) {
     let Some(stop) = state.stop.clone() else { return };
     let now = (state.clock)();
     let cut = || "STOP NOT CONFIRMED: CUT THE POWER".to_owned();
     let (color, title, text) = match stop {
         StopState::Asked { at } if now.saturating_sub(at) < SILENCE => {
-            ui.ctx().request_repaint_after(Duration::from_nanos(SILENCE));
+            ctx.request_repaint_after(Duration::from_nanos(SILENCE));
             (theme::VERMILLION, "STOPPING".to_owned(), "The host has been asked.".to_owned())
         }
         StopState::Asked { .. } => (STOP, cut(), "The host does not answer.".to_owned()),
@@ -83,14 +92,23 @@ fn stop_state_ui(ui: &mut Ui, state: &mut AppState) {
             (theme::GREEN, format!("STOPPED{}", told.unwrap_or_default()), text)
         }
         StopState::Unconfirmed(why) => (STOP, cut(), format!("Keys may have forces: {why}")),
+        StopState::RunsAgain(why) => {
+            let text = format!("This window is not connected to it: {why}");
+            (theme::BLUE, "A HOST RUNS AGAIN".to_owned(), text)
+        }
     };
-    let frame = egui::Frame::new().fill(color).inner_margin(egui::Margin::symmetric(10, 6));
-    Panel::top("stop").frame(frame).show(ui, |ui| {
-        ui.horizontal(|ui| {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let is_dismissed = ui.button("Dismiss").clicked();
-                ui.with_layout(Layout::top_down(Align::Min), |ui| large_ui(ui, &title, &text));
-                state.stop = state.stop.take().filter(|_| !is_dismissed);
+    let frame = Frame::new().fill(color).inner_margin(Margin::symmetric(10, 6));
+    // It lies over the panels and does not move them.
+    let area = Area::new(Id::unique("stop")).order(egui::Order::Foreground);
+    area.fixed_pos(pos2(bar.left(), bar.bottom())).show(ctx, |ui| {
+        frame.show(ui, |ui| {
+            ui.set_width(bar.width() - 20.0);
+            ui.horizontal(|ui| {
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    let is_dismissed = ui.button("Dismiss").clicked();
+                    ui.with_layout(Layout::top_down(Align::Min), |ui| large_ui(ui, &title, &text));
+                    state.stop = state.stop.take().filter(|_| !is_dismissed);
+                });
             });
         });
     });
@@ -125,11 +143,13 @@ fn freeze_ui(ui: &mut Ui, state: &mut AppState) {
 }
 
 fn record_ui(ui: &mut Ui, state: &mut AppState) {
-    if state.source.standing() != ConnectionState::Live {
+    if state.source.timeline().is_some() {
         return;
     }
     let mut records = state.view.recording.is_some();
-    if ui.toggle_value(&mut records, "Record").clicked() {
+    let button = Button::selectable(records, "Record");
+    if ui.add_enabled(state.may(Role::Owner), button).clicked() {
+        records = !records;
         let file = records.then(|| {
             let run = state.store.catalogue.as_ref().map_or("run", |it| it.run.as_str());
             let name: String =
@@ -139,20 +159,11 @@ fn record_ui(ui: &mut Ui, state: &mut AppState) {
         state.view.recording.clone_from(&file);
         state.ask(Request::Record { file });
     }
-}
-
-fn connection_ui(ui: &mut Ui, state: &AppState) {
-    let (color, text) = match state.source.standing() {
-        ConnectionState::Connecting => (theme::YELLOW, "connecting"),
-        ConnectionState::Live => (theme::GREEN, "live"),
-        ConnectionState::Lost(_) => (theme::VERMILLION, "lost"),
-        ConnectionState::Refused(_) => (theme::VERMILLION, "refused"),
-        ConnectionState::Recording => (theme::SKY, "recording"),
-    };
-    let (rect, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), egui::Sense::hover());
-    ui.painter().circle_filled(rect.center(), 4.5, color);
-    ui.label(text);
-    ui.weak(state.source.name());
+    if let Some(status) = state.store.status.as_ref().filter(|it| !it.recording.is_empty()) {
+        let seconds = ((state.clock)() / 1_000_000_000).saturating_sub(status.recording_since);
+        let text = format!("● {}:{:02}", seconds / 60, seconds % 60);
+        ui.colored_label(theme::fault(ui), text).on_hover_text(&status.recording);
+    }
 }
 
 fn run_ui(ui: &mut Ui, state: &AppState) {

@@ -19,6 +19,7 @@ pub use saved_window::SavedWindow;
 use crate::app_state::AppState;
 use crate::layout::{self, Layout};
 use crate::panels::{Pane, Panels};
+use crate::toast::ToastAction;
 use crate::{WallClock, panels, theme};
 
 /// Shortest time between two frames.
@@ -27,6 +28,9 @@ const FRAME: Duration = Duration::from_millis(16);
 /// Range of the scale of texts and widgets.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=2.5;
 
+/// Time after an input in which a paused recording is drawn (s): some frames.
+const SETTLE: f64 = 0.2;
+
 /// The window: panels, their layout, and their source.
 pub struct App {
     state: AppState,
@@ -34,6 +38,8 @@ pub struct App {
     layout: Layout,
     zoom: f32,
     theme: egui::ThemePreference,
+    /// Time of the last input (s).
+    touched: f64,
 }
 
 impl std::fmt::Debug for App {
@@ -57,6 +63,7 @@ impl App {
             layout: layout::first(),
             zoom: 1.0,
             theme: ctx.options(|options| options.theme_preference),
+            touched: 0.0,
         };
         if let Some(memory) = memory {
             memory.restore(&mut app, ctx);
@@ -69,9 +76,19 @@ impl App {
         self.state.take();
         shortcuts::handle(ui.ctx(), self);
         self.ui_of_panels(ui);
+        let now = (self.state.clock)();
+        if let Some(action) = self.state.toasts.ui(ui.ctx(), now) {
+            self.perform(&action);
+        }
         self.panels.release_if_hidden(&mut self.state);
         self.state.flush();
         self.ask_for_frames(ui.ctx());
+    }
+
+    fn perform(&mut self, action: &ToastAction) {
+        match action {
+            ToastAction::ShowLinks => self.open(Pane::Links),
+        }
     }
 
     fn ui_of_panels(&mut self, ui: &mut egui::Ui) {
@@ -90,8 +107,12 @@ impl App {
     }
 
     fn ask_for_frames(&mut self, ctx: &egui::Context) {
+        let (now, has_input) = ctx.input(|input| (input.time, !input.events.is_empty()));
+        self.touched = if has_input { now } else { self.touched };
+        // A paused recording wakes no window, but answers a move or another key with rows.
+        let is_touched = now - self.touched < SETTLE;
         let plays = self.state.source.timeline().is_some_and(|timeline| {
-            0.0 < timeline.speed().abs() && timeline.at() < timeline.span().1
+            is_touched || 0.0 < timeline.speed().abs() && timeline.at() < timeline.span().1
         });
         if plays {
             ctx.request_repaint_after(FRAME);

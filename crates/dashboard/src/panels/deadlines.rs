@@ -54,7 +54,7 @@ pub(super) struct View {
 impl super::View for View {
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         let Some(deadlines) = &state.store.deadlines else {
-            nothing_ui(ui, "Deadlines are told once a second.");
+            nothing_ui(ui, state, "Deadlines are told once a second.");
             return;
         };
         counts_ui(ui, deadlines);

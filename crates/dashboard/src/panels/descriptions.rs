@@ -22,7 +22,7 @@ pub(super) struct View {
 impl super::View for View {
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         let Some(catalogue) = &state.store.catalogue else {
-            nothing_ui(ui, "The host has not told yet what it has.");
+            nothing_ui(ui, state, "The host has not told yet what it has.");
             return;
         };
         let opened = self.open_ui(ui);

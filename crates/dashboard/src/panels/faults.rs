@@ -41,11 +41,15 @@ fn faults_ui(ui: &mut Ui, state: &AppState) -> Clicked {
     let faulty = state.store.faulty();
     let events = events(state);
     let mut clicked = Clicked::default();
-    if faulty.is_empty() && events.is_empty() {
-        nothing_ui(ui, "Nothing has gone wrong.");
+    let boards = &state.store.conditions.boards;
+    if faulty.is_empty() && events.is_empty() && boards.is_empty() {
+        nothing_ui(ui, state, "Nothing has gone wrong.");
         return clicked;
     }
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        for board in boards {
+            ui.label(RichText::new(board).strong().color(theme::fault(ui)));
+        }
         for key in faulty {
             faulty_key_ui(ui, state, key, &mut clicked);
         }

@@ -4,11 +4,12 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{Button, Grid, RichText, ScrollArea, TextEdit, Ui, vec2};
 use serde::{Deserialize, Serialize};
-use telemetry::{Instrument, Model, Request};
+use telemetry::{Instrument, Model};
 
 use super::nothing_ui;
 use crate::app_state::AppState;
 use crate::store::Store;
+use crate::tune::edit::BaseValues;
 use crate::{names, theme};
 
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -22,16 +23,16 @@ pub(super) struct View {
 impl super::View for View {
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         let Some(catalogue) = &state.store.catalogue else {
-            nothing_ui(ui, "The host has not told yet what it has.");
+            nothing_ui(ui, state, "The host has not told yet what it has.");
             return;
         };
-        let range = self.range_ui(ui, state);
+        let range = self.range_ui(ui, state).filter(|_| state.may_change());
         let area = ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             let mut chosen = None;
             for instrument in &catalogue.instruments {
-                if instrument_ui(ui, instrument, range.as_ref()) {
-                    chosen = Some(instrument.name.clone());
-                }
+                let playing = keys_of(&state.store, &instrument.name);
+                let choice = instrument_ui(ui, instrument, range.as_ref(), &playing);
+                chosen = chosen.or(choice.map(|it| (instrument.name.clone(), it)));
             }
             ui.separator();
             ui.strong("What plays now");
@@ -42,9 +43,8 @@ impl super::View for View {
             (chosen, run)
         });
         let (chosen, run) = area.inner;
-        if let Some((instrument, range)) = chosen.zip(range) {
-            let keys = (range != (0..=names::LAST)).then(|| names::range_name(&range));
-            state.ask(Request::UseInstrument { instrument, keys });
+        if let Some(((instrument, values), range)) = chosen.zip(range) {
+            state.tuner.use_instrument(&instrument, &range, values);
         }
         if let Some(run) = run {
             state.select(*run.start());
@@ -79,20 +79,46 @@ impl View {
     }
 }
 
-/// Draws an instrument; returns `true` if it was chosen.
-fn instrument_ui(ui: &mut Ui, instrument: &Instrument, range: Option<&RangeInclusive<u8>>) -> bool {
+/// Draws an instrument with the keys that it plays; returns the choice, if it was chosen.
+fn instrument_ui(
+    ui: &mut Ui,
+    instrument: &Instrument,
+    range: Option<&RangeInclusive<u8>>,
+    playing: &str,
+) -> Option<BaseValues> {
     let row = ui.horizontal_wrapped(|ui| {
         let name = RichText::new(&instrument.name).strong();
-        let button = Button::new(name).min_size(vec2(120.0, 0.0));
+        let button = Button::new(name).min_size(vec2(120.0, 0.0)).selected(!playing.is_empty());
         let is_chosen = ui.add_enabled(range.is_some(), button).clicked();
         ui.weak(&instrument.model);
-        is_chosen
+        ui.weak(playing);
+        is_chosen.then_some(BaseValues::Saved)
     });
+    let mut choice = row.inner;
+    if instrument.base_changed {
+        ui.horizontal_wrapped(|ui| {
+            let Instrument { base, .. } = instrument;
+            ui.colored_label(theme::ORANGE, format!("{base} has changed since this was saved:"));
+            if ui.button("as saved").clicked() {
+                choice = Some(BaseValues::Saved);
+            }
+            if ui.button(format!("on the present {base}")).clicked() {
+                choice = Some(BaseValues::Present);
+            }
+        });
+    }
     if !instrument.doc.is_empty() {
         ui.label(RichText::new(&instrument.doc).small());
     }
     ui.add_space(2.0);
-    row.inner
+    choice
+}
+
+/// Returns the ranges that an instrument plays, as text.
+fn keys_of(store: &Store, instrument: &str) -> String {
+    let of_it = runs(store).into_iter().filter(|run| run.instrument == instrument);
+    let ranges: Vec<_> = of_it.map(|run| names::range_name(&run.keys)).collect();
+    if ranges.is_empty() { String::new() } else { format!("plays {}", ranges.join(", ")) }
 }
 
 fn model_ui(ui: &mut Ui, model: &Model) {

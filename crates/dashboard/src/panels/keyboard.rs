@@ -101,16 +101,19 @@ impl Default for View {
 impl super::View for View {
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         if !state.store.catalogue.as_ref().is_some_and(|catalogue| catalogue.fingers) {
-            nothing_ui(ui, "There are no simulated fingers here: press the real keys.");
+            nothing_ui(ui, state, "There are no simulated fingers here: press the real keys.");
             return;
         }
         self.is_shown = true;
-        self.controls_ui(ui);
-        let mut pressed = self.keys_ui(ui);
-        if self.plays && !ui.ctx().text_edit_focused() {
-            pressed.extend(self.played(ui));
+        let may_press = state.may_change();
+        let mut pressed = ui.add_enabled_ui(may_press, |ui| {
+            self.controls_ui(ui);
+            self.keys_ui(ui)
+        });
+        if may_press && self.plays && !ui.ctx().text_edit_focused() {
+            pressed.inner.extend(self.played(ui));
         }
-        self.send(state, pressed);
+        self.send(state, pressed.inner);
     }
 }
 
@@ -198,7 +201,7 @@ impl View {
         let response =
             ui.interact(rect, ui.scope_id().with(("press", key)), Sense::click_and_drag());
         let name = format!("press {}", names::name(key));
-        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &name));
         let pressed = self.pressed.get(&key).copied();
         let plain = if names::is_black(key) {
             Color32::from_rgb(0x2A, 0x2E, 0x35)

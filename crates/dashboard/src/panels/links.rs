@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use eframe::egui::{Color32, Grid, RichText, ScrollArea, Ui};
+use eframe::egui::{Button, Color32, Grid, Label, RichText, ScrollArea, Ui};
 use serde::{Deserialize, Serialize};
-use telemetry::{Board, Line, Links};
+use telemetry::{Board, Line, Links, Severity};
 
 use super::{nothing_ui, share_ui};
 use crate::app_state::{AppState, LightState};
@@ -31,6 +31,7 @@ const LINES: [ColumnHeader; 7] = [
 
 const BOARDS: [ColumnHeader; 10] = [
     ("board", "", "Its number."),
+    ("state", "", "What the board says of itself."),
     ("light", "", "Lets the board show its light; beside it what the host answered."),
     ("keys", "", "The keys that it moves."),
     ("line", "", "Where it is connected."),
@@ -39,7 +40,6 @@ const BOARDS: [ColumnHeader; 10] = [
     ("gaps", "times", "The numbers of its samples jumped, since the start."),
     ("refused", "frames", "Frames of a wrong length or content, since the start."),
     ("armed", "times", "It is armed once; more often if it was lost in between."),
-    ("state", "", "What the board says of itself."),
 ];
 
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
@@ -48,27 +48,43 @@ pub(super) struct View;
 impl super::View for View {
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         let Some(links) = &state.store.links else {
-            nothing_ui(ui, "Lines and boards are told once a second, where there are any.");
+            nothing_ui(ui, state, "This host has simulated keys: there are no lines and boards.");
             return;
         };
-        let area = ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-            ui.strong("Lines");
-            table("lines", &LINES).show(ui, |ui| {
-                header_ui(ui, &LINES);
-                for line in &links.lines {
-                    line_ui(ui, line);
-                    ui.end_row();
-                }
-            });
-            ui.add_space(8.0);
-            ui.strong("Boards");
-            table("boards", &BOARDS).show(ui, |ui| boards_ui(ui, state, links)).inner
+        let area = ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            troubles_ui(ui, links);
+            ScrollArea::horizontal().show(ui, |ui| tables_ui(ui, state, links)).inner
         });
         if let Some(board) = area.inner {
             let (line, board) = (board.line, board.id);
             state.identify(line, board);
         }
     }
+}
+
+/// Draws the whole state of each board that is not well.
+fn troubles_ui(ui: &mut Ui, links: &Links) {
+    for board in links.boards.iter().filter(|it| it.severity() != Severity::Well) {
+        let line = line_name(links, board.line);
+        let text = format!("board {} on {line}, {}: {}", board.id, keys(board), board.state);
+        let color = theme::severity(board.severity(), ui);
+        ui.add(Label::new(RichText::new(text).color(color)).wrap());
+    }
+}
+
+/// Draws lines and boards; returns the board to show its light.
+fn tables_ui<'a>(ui: &mut Ui, state: &AppState, links: &'a Links) -> Option<&'a Board> {
+    ui.strong("Lines");
+    table("lines", &LINES).show(ui, |ui| {
+        header_ui(ui, &LINES);
+        for line in &links.lines {
+            line_ui(ui, line);
+            ui.end_row();
+        }
+    });
+    ui.add_space(8.0);
+    ui.strong("Boards");
+    table("boards", &BOARDS).show(ui, |ui| boards_ui(ui, state, links)).inner
 }
 
 /// Draws all boards; returns the one to show its light.
@@ -120,6 +136,9 @@ fn load_color(line: &Line) -> Color32 {
 fn board_ui(ui: &mut Ui, state: &AppState, links: &Links, board: &Board) -> bool {
     let line = line_name(links, board.line);
     ui.label(board.id.to_string());
+    // The whole state is above the table.
+    let state_name = board.state.split([';', ':']).next().unwrap_or_default();
+    ui.colored_label(theme::severity(board.severity(), ui), state_name);
     let is_asked = light_ui(ui, state, board, &line);
     ui.label(keys(board));
     ui.label(&*line);
@@ -129,7 +148,6 @@ fn board_ui(ui: &mut Ui, state: &AppState, links: &Links, board: &Board) -> bool
     count_ui(ui, board.gaps, 0);
     count_ui(ui, board.refused, 0);
     count_ui(ui, board.armings, 1);
-    ui.label(&board.state);
     is_asked
 }
 
@@ -142,7 +160,7 @@ fn line_name(links: &Links, line: u32) -> Cow<'_, str> {
 /// Draws the button for a board's light, and beside it the host's answer.
 fn light_ui(ui: &mut Ui, state: &AppState, board: &Board, line: &str) -> bool {
     ui.horizontal(|ui| {
-        let button = ui.small_button("Identify");
+        let button = ui.add_enabled(state.may_change(), Button::new("Identify").small());
         let button = button.accessible_name(format!("Identify board {} of {line}", board.id));
         match state.light(board.line, board.id) {
             None => {}

@@ -14,14 +14,14 @@ pub(super) struct View;
 impl super::View for View {
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         if state.store.log.is_empty() {
-            nothing_ui(ui, "Nothing to read.");
+            nothing_ui(ui, state, "No messages yet.");
             return;
         }
         ScrollArea::vertical().auto_shrink(false).stick_to_bottom(true).show(ui, |ui| {
-            for entry in &state.store.log {
+            for (_at, entry) in &state.store.log {
                 match entry.level() {
                     Level::Info => ui.label(&entry.text),
-                    Level::Warning => ui.colored_label(theme::ORANGE, &entry.text),
+                    Level::Warning => ui.colored_label(theme::warning(ui), &entry.text),
                     Level::Error => ui.colored_label(theme::fault(ui), &entry.text),
                 };
             }

@@ -105,7 +105,7 @@ fn mechanism_ui(ui: &mut Ui, state: &mut AppState) {
         }
     });
     let Some(drawing) = state.store.voice(key).and_then(|voice| voice.drawing.as_ref()) else {
-        nothing_ui(ui, "This model says nothing of how it looks.");
+        nothing_ui(ui, state, "This model says nothing of how it looks.");
         return;
     };
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());

@@ -21,7 +21,7 @@ impl super::View for View {
         let shown: Vec<&Midi> =
             state.store.midi.iter().filter(|midi| midi.text.contains(filter)).collect();
         if shown.is_empty() {
-            nothing_ui(ui, "No message yet.");
+            nothing_ui(ui, state, "No message yet.");
             return;
         }
         let height = ui.text_style_height(&TextStyle::Monospace);

@@ -18,7 +18,7 @@ pub(crate) mod scope;
 mod timeline;
 mod tuning;
 
-use eframe::egui::{Color32, Label, ProgressBar, Response, RichText, Ui};
+use eframe::egui::{Color32, Label, ProgressBar, Response, RichText, ScrollArea, Ui};
 use serde::{Deserialize, Serialize};
 
 use crate::app_state::AppState;
@@ -111,14 +111,32 @@ impl Panels {
     }
 }
 
-/// Draws the reason why there is nothing to show yet, and the remedy.
-fn nothing_ui(ui: &mut Ui, text: &str) {
+/// Draws the reason why there is nothing to show: the state of the source, or `text` for a host
+/// that plays.
+fn nothing_ui(ui: &mut Ui, state: &AppState, text: &str) {
+    let text = match state.source_state().why_empty() {
+        Some(why) => why,
+        None if state.store.catalogue.is_none() => "The host has sent nothing yet.".to_owned(),
+        None => text.to_owned(),
+    };
     ui.centered_and_justified(|ui| ui.weak(text));
 }
 
 /// Draws a few unbroken words: without room in a row they begin the next one.
 fn piece_ui(ui: &mut Ui, text: RichText) -> Response {
     ui.add(Label::new(text).extend())
+}
+
+/// Draws the contents of a menu, which scroll if the window is too low for them.
+pub(crate) fn scrolled_ui<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
+    let window = ui.ctx().content_rect();
+    // Below the button if most of the window is there, and without the menu's own frame.
+    let below = window.bottom() - ui.cursor().top() - 16.0;
+    let height =
+        below.clamp(0.4 * window.height(), (window.height() - 80.0).max(0.4 * window.height()));
+    // A menu has the height of its last frame; its list needs more if it has grown.
+    let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+    area.show(ui, contents).inner
 }
 
 /// Draws a share of a whole as a bar; NaN is unknown. The number is beside the bar, where it is

@@ -1,13 +1,15 @@
 //! All keys at once: depth, force, mode and fault.
 
 use eframe::egui::{
-    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui,
-    WidgetInfo, accesskit::Role, pos2, vec2,
+    Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Sense, Shape, Stroke,
+    StrokeKind, Ui, WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use serde::{Deserialize, Serialize};
+use telemetry::Severity;
 
 use crate::app_state::AppState;
 use crate::names::{self, LAST};
+use crate::store::condition::KeyCondition;
 use crate::store::key_summary::KeySummary;
 use crate::{fault_text, number, theme};
 
@@ -28,6 +30,7 @@ impl super::View for View {
 
 fn overview_ui(ui: &mut Ui, state: &mut AppState) {
     legend_ui(ui, state);
+    conditions_ui(ui, state);
     let size = vec2(ui.available_width(), ui.available_height().max(60.0));
     let (area, _) = ui.allocate_exact_size(size, Sense::hover());
     let (white, black) = (0..=LAST).partition::<Vec<u8>, _>(|key| !names::is_black(*key));
@@ -51,12 +54,32 @@ fn legend_ui(ui: &mut Ui, state: &AppState) {
             ui.painter().rect_filled(rect, 2.0, theme::mode(mode));
             ui.label(state.store.mode_name(key, mode));
         }
-        let faulty = state.store.faulty();
-        if !faulty.is_empty() {
-            let list: Vec<String> = faulty.into_iter().map(names::name).collect();
-            ui.colored_label(theme::fault(ui), format!("fault: {}", list.join(", ")));
-        }
     });
+}
+
+/// Draws keys and boards without a force in one line, which is always there.
+fn conditions_ui(ui: &mut Ui, state: &AppState) {
+    let conditions = &state.store.conditions;
+    let faulty: Vec<String> = state.store.faulty().into_iter().map(names::name).collect();
+    let faults = (!faulty.is_empty()).then(|| format!("fault: {}", faulty.join(", ")));
+    let lost: Vec<_> = conditions.boards.iter().cloned().chain(faults).collect();
+    let severity = if !lost.is_empty() {
+        Severity::Lost
+    } else if conditions.others.is_empty() {
+        Severity::Well
+    } else {
+        Severity::Degraded
+    };
+    let troubles: Vec<_> = lost.iter().chain(&conditions.others).map(String::as_str).collect();
+    let (color, text) = if severity != Severity::Well {
+        (theme::severity(severity, ui), troubles.join("; "))
+    } else if let Some(why) = state.source_state().why_empty() {
+        (ui.visuals().weak_text_color(), why)
+    } else {
+        let n = state.store.voices().count();
+        (theme::severity(severity, ui), format!("All {n} keys are well."))
+    };
+    ui.add(Label::new(RichText::new(text).color(color)).truncate());
 }
 
 /// Describes position, force, mode and fault of a key.
@@ -88,7 +111,11 @@ fn rect(area: Rect, key: u8) -> Rect {
 fn key_ui(ui: &mut Ui, state: &mut AppState, key: u8, rect: Rect) {
     let response = ui.interact(rect, ui.scope_id().with(("key", key)), Sense::click());
     let selected = state.view.selected == key;
-    let name = format!("key {}", names::name(key));
+    let mut name = format!("key {}", names::name(key));
+    let condition = state.store.conditions.key(key).words();
+    if !condition.is_empty() {
+        name = format!("{name}, {condition}");
+    }
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, selected, &name));
     if ui.is_rect_visible(rect) {
         paint_key(ui, state, key, rect, &response);
@@ -103,6 +130,9 @@ fn key_ui(ui: &mut Ui, state: &mut AppState, key: u8, rect: Rect) {
     response.on_hover_ui(|ui| {
         ui.strong(state.title(key));
         ui.label(words(state, key));
+        if !condition.is_empty() {
+            ui.colored_label(theme::fault(ui), condition);
+        }
     });
 }
 
@@ -111,12 +141,17 @@ fn paint_key(ui: &Ui, state: &AppState, key: u8, rect: Rect, response: &Response
     let painter = ui.painter_at(rect.expand(1.0));
     let depth = (summary.position / TRAVEL).clamp(0.0, 1.0);
     let sunk = rect.with_min_y(rect.top() + depth * rect.height() * 0.12);
-    let fill = fill(ui, summary, key, response);
+    let condition = state.store.conditions.key(key);
+    let mut fill = fill(ui, summary, key, response);
+    if *condition == KeyCondition::Absent {
+        fill = theme::blend(fill, ui.visuals().panel_fill, 0.85);
+    }
     // The part below the surface lies in the shadow of the neighbours.
     painter.rect_filled(rect, 2.0, theme::blend(fill, Color32::BLACK, 0.45));
     painter.rect_filled(sunk, 2.0, fill);
     paint_mode(&painter, summary, sunk);
     paint_force(&painter, state, summary, sunk);
+    paint_condition(&painter.with_clip_rect(rect), condition, rect);
     let is_selected = state.view.selected == key;
     let stroke = if is_selected {
         Stroke::new(2.5, theme::selected(ui.visuals()))
@@ -142,6 +177,28 @@ fn fill(ui: &Ui, summary: KeySummary, key: u8, response: &Response) -> Color32 {
         plain
     };
     if response.hovered() { theme::blend(plain, theme::SKY, 0.35) } else { plain }
+}
+
+/// Hatches a key whose board renders no force, and crosses a muted one.
+fn paint_condition(painter: &Painter, condition: &KeyCondition, rect: Rect) {
+    /// Distance of the hatches (points).
+    const HATCH: f32 = 7.0;
+    let stroke = Stroke::new(1.8, theme::VERMILLION);
+    match condition {
+        KeyCondition::Well | KeyCondition::Absent => {}
+        KeyCondition::Muted => {
+            painter.line_segment([rect.left_top(), rect.right_bottom()], stroke);
+            painter.line_segment([rect.right_top(), rect.left_bottom()], stroke);
+        }
+        KeyCondition::Silent(_) => {
+            let mut y = rect.top();
+            while y < rect.bottom() + rect.width() {
+                let ends = [pos2(rect.left(), y), pos2(rect.right(), y - rect.width())];
+                painter.line_segment(ends, stroke);
+                y += HATCH;
+            }
+        }
+    }
 }
 
 fn paint_mode(painter: &Painter, summary: KeySummary, rect: Rect) {

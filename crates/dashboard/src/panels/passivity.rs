@@ -77,7 +77,7 @@ impl super::View for View {
             let [left, right] = columns else { return };
             self.settings_ui(left, state);
             if energy.taken.is_empty() {
-                nothing_ui(right, "Press the key: what it takes and gives back is drawn.");
+                nothing_ui(right, state, "Press the key: what it takes and gives back is drawn.");
             } else {
                 plot_ui(right, energy, bound);
             }
@@ -131,8 +131,14 @@ fn settings(scene: &str) -> Vec<(String, String)> {
         .filter_map(|line| line.split_once('='))
         .map(|(name, value)| (name.trim(), value.trim().trim_matches('"')))
         .filter(|(name, _)| !matches!(*name, "force_limit" | "slew_limit"))
-        .map(|(name, value)| (name.to_owned(), value.to_owned()))
+        .map(|(name, value)| (name.to_owned(), short(value)))
         .collect()
+}
+
+/// Writes a number with many zeros by its exponent, so that a field shows all of its digits.
+fn short(value: &str) -> String {
+    let small = value.parse::<f64>().ok().filter(|it| 0.0 < it.abs() && it.abs() < 1e-3);
+    small.map_or_else(|| value.to_owned(), |it| format!("{it:e}"))
 }
 
 fn lamp_ui(ui: &mut Ui, fault: u8, energy: &KeyEnergy, bound: f64) {
@@ -236,8 +242,9 @@ mod tests {
     #[test]
     fn settings_are_those_of_the_scene_that_change() {
         let scene = "tick_hz = 1000\n\n[render]\nlead = 0.0\npassivity = \"observe\"\n\
+                     event_tolerance = 0.000000000000909\n\
                      slew_limit = 2e4\n\n[rig]\nkind = \"x\"\n";
-        let wanted = [("lead", "0.0"), ("passivity", "observe")];
+        let wanted = [("lead", "0.0"), ("passivity", "observe"), ("event_tolerance", "9.09e-13")];
         assert_eq!(settings(scene), wanted.map(|(name, now)| (name.to_owned(), now.to_owned())));
         assert!(settings("title = 1\n").is_empty());
     }

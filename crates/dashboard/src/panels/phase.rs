@@ -1,13 +1,15 @@
 //! Force against travel, the technician's view: the feel of a key going down and coming back.
 
-use eframe::egui::{DragValue, TextStyle, Ui};
-use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, Points};
+use std::ops::RangeInclusive;
+
+use eframe::egui::{DragValue, Ui};
+use egui_plot::{Line, Plot, PlotPoints, Points};
 use serde::{Deserialize, Serialize};
 
 use super::nothing_ui;
 use crate::app_state::AppState;
 use crate::store::Store;
-use crate::{number, theme, unit};
+use crate::{grid, number, theme, unit};
 
 /// Travel over which weights are means (m).
 const MIDDLE: std::ops::Range<f64> = 2e-3..7e-3;
@@ -36,6 +38,8 @@ struct HysteresisLoop {
     /// Sums and counts of forces in the middle.
     weights: [(f64, usize); 2],
     last: Option<[f64; 2]>,
+    /// `true` if values are missing before the next point.
+    is_torn: bool,
 }
 
 impl HysteresisLoop {
@@ -43,9 +47,11 @@ impl HysteresisLoop {
         self.ways.last().is_none_or(|(way, _)| *way == 0)
     }
 
-    /// Adds a point of the path down (0) or up (1); a line ends where the other begins.
+    /// Adds a point of the path down (0) or up (1); a line ends where the other begins, or where
+    /// values are missing.
     fn enter(&mut self, way: usize, point: [f64; 2]) {
-        if let Some((last, points)) = self.ways.last_mut() {
+        let is_torn = std::mem::take(&mut self.is_torn);
+        if let Some((last, points)) = self.ways.last_mut().filter(|_| !is_torn) {
             points.push(point);
             if *last == way {
                 return;
@@ -70,7 +76,7 @@ impl super::View for View {
             weights_ui(ui, &shown);
         });
         if shown.last.is_none() {
-            nothing_ui(ui, "Press the key: its force is drawn over its travel.");
+            nothing_ui(ui, state, "Press the key: its force is drawn over its travel.");
             return;
         }
         plot_ui(ui, shown);
@@ -78,28 +84,28 @@ impl super::View for View {
 }
 
 fn plot_ui(ui: &mut Ui, shown: HysteresisLoop) {
+    let size = ui.available_size();
+    let (across, up) = (grid::lines_across(size.x), grid::lines_up(size.y));
+    let label = |value: f64, range: &RangeInclusive<f64>, lines: f64| {
+        grid::label(value, (*range.start(), *range.end()), lines)
+    };
     let plot = Plot::new("phase")
         .grid_spacing(22.0..=220.0)
         .grid_color(theme::grid(ui))
-        .x_grid_spacer(theme::spacer_across(ui.available_width()))
-        .y_grid_spacer(theme::spacer_up(ui.available_height()))
-        .legend(
-            Legend::default()
-                .text_style(TextStyle::Small)
-                .position(Corner::LeftTop)
-                .background_alpha(0.6),
-        )
+        .x_grid_spacer(theme::spacer_across(size.x))
+        .y_grid_spacer(theme::spacer_up(size.y))
         .x_axis_label("travel [mm]")
         .y_axis_label("force [N]")
-        .y_axis_formatter(|mark, _| unit::digits(mark.value))
-        .x_axis_formatter(|mark, _| unit::digits(mark.value))
+        .y_axis_min_width(grid::GUTTER)
+        .y_axis_formatter(move |mark, range| label(mark.value, range, up))
+        .x_axis_formatter(move |mark, range| label(mark.value, range, across))
         .include_x(0.0)
         .include_x(10.0)
         .include_y(0.0);
     let colors = [theme::line(0, ui), theme::line(1, ui)];
     plot.show(ui, move |plot| {
-        for (way, points) in shown.ways {
-            let line = Line::new(["down", "up"][way], PlotPoints::new(points));
+        for (i, (way, points)) in shown.ways.into_iter().enumerate() {
+            let line = Line::new(["down", "up"][way], PlotPoints::new(points)).id(i);
             plot.line(line.color(colors[way]).width(1.4).allow_band(false));
         }
         if let Some(last) = shown.last {
@@ -111,9 +117,11 @@ fn plot_ui(ui: &mut Ui, shown: HysteresisLoop) {
 fn weights_ui(ui: &mut Ui, shown: &HysteresisLoop) {
     let [down, up] = shown.weights.map(|(sum, n)| (0 < n).then(|| sum / number::f64(n)));
     let text = |value: Option<f64>| value.map_or("–".to_owned(), |it| unit::text(it, "N"));
-    ui.label(format!("down {}", text(down)))
+    // In the colours of the curves, whose legend these are.
+    ui.colored_label(theme::line(0, ui), format!("down {}", text(down)))
         .on_hover_text("Mean force from 2 to 7 mm, going down.");
-    ui.label(format!("up {}", text(up))).on_hover_text("Mean force from 7 to 2 mm, coming back.");
+    ui.colored_label(theme::line(1, ui), format!("up {}", text(up)))
+        .on_hover_text("Mean force from 7 to 2 mm, coming back.");
     if let Some((down, up)) = down.zip(up) {
         ui.label(format!("balance {}", unit::text(f64::midpoint(down, up), "N")));
         ui.label(format!("friction {}", unit::text((down - up) / 2.0, "N")));
@@ -130,7 +138,10 @@ fn gather(store: &Store, key: u8, view: (f64, f64)) -> HysteresisLoop {
         let [position, speed, force] =
             [positions, speeds, forces].map(|column| f64::from(column[row]));
         let point = [position * 1e3, force];
+        let tick = trace.ticks()[row];
+        gathered.is_torn |= !trace.gaps(tick.saturating_sub(1), tick).is_empty();
         if !(position.is_finite() && force.is_finite()) {
+            gathered.is_torn = true;
             continue;
         }
         let way = usize::from(speed < if gathered.is_down() { -STILL } else { STILL });

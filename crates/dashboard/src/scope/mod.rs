@@ -42,6 +42,9 @@ pub struct Scope {
     pub pinned: Option<f64>,
     #[serde(skip)]
     pub heights: Heights,
+    /// Curves that are not drawn, by key and channel.
+    #[serde(skip)]
+    pub hidden: BTreeSet<(u8, String)>,
     #[serde(skip)]
     pub typed: String,
     /// Beginning of a stretch that is being selected (s).
@@ -64,6 +67,7 @@ impl Default for Scope {
             cursors: [0.0; 2],
             pinned: None,
             heights: Heights::default(),
+            hidden: BTreeSet::new(),
             typed: String::new(),
             selects: None,
             armed: TriggerState::default(),

@@ -1,6 +1,8 @@
 //! A column of numbers with the smallest and largest of each block, so that a long stretch is drawn
 //! without reading every row, and no spike is lost.
 
+use std::ops::Range;
+
 /// Number of rows in a block.
 pub(crate) const BLOCK: usize = 64;
 
@@ -10,6 +12,8 @@ pub(crate) struct Column {
     values: Vec<f32>,
     lows: Vec<f32>,
     highs: Vec<f32>,
+    /// Blocks with a value that is not finite.
+    has_holes: Vec<bool>,
 }
 
 impl Column {
@@ -17,11 +21,15 @@ impl Column {
         if self.values.len().is_multiple_of(BLOCK) {
             self.lows.push(f32::INFINITY);
             self.highs.push(f32::NEG_INFINITY);
+            self.has_holes.push(false);
         }
         self.values.push(value);
-        if let (Some(low), Some(high)) = (self.lows.last_mut(), self.highs.last_mut()) {
-            *low = low.min(value);
-            *high = high.max(value);
+        let last = self.lows.len() - 1;
+        if value.is_finite() {
+            self.lows[last] = self.lows[last].min(value);
+            self.highs[last] = self.highs[last].max(value);
+        } else {
+            self.has_holes[last] = true;
         }
     }
 
@@ -30,13 +38,33 @@ impl Column {
         self.values.drain(..blocks * BLOCK);
         self.lows.drain(..blocks);
         self.highs.drain(..blocks);
+        self.has_holes.drain(..blocks);
     }
 
     pub(crate) fn values(&self) -> &[f32] {
         &self.values
     }
 
-    /// Returns the smallest and the largest of the rows `from..to`.
+    /// Returns the longest stretches of finite values among the rows `from..to`.
+    pub(crate) fn runs(&self, from: usize, to: usize) -> Vec<Range<usize>> {
+        let to = to.min(self.values.len());
+        let mut runs: Vec<Range<usize>> = Vec::new();
+        let mut at = from;
+        while at < to {
+            let is_whole = !self.has_holes[at / BLOCK];
+            let end = if is_whole { ((at / BLOCK + 1) * BLOCK).min(to) } else { at + 1 };
+            if is_whole || self.values[at].is_finite() {
+                match runs.last_mut() {
+                    Some(last) if last.end == at => last.end = end,
+                    Some(_) | None => runs.push(at..end),
+                }
+            }
+            at = end;
+        }
+        runs
+    }
+
+    /// Returns the smallest and the largest finite value of the rows `from..to`.
     pub(crate) fn range(&self, from: usize, to: usize) -> Option<(f32, f32)> {
         let to = to.min(self.values.len());
         if to <= from {
@@ -55,10 +83,12 @@ impl Column {
     }
 }
 
-/// Widens `range`; NaN is ignored.
+/// Widens `range`; a value that is not finite is ignored.
 fn widen(range: &mut (f32, f32), lows: &[f32], highs: &[f32]) {
-    range.0 = lows.iter().copied().fold(range.0, f32::min);
-    range.1 = highs.iter().copied().fold(range.1, f32::max);
+    let finite = |values: &'_ [f32], f: fn(f32, f32) -> f32, start| {
+        values.iter().copied().filter(|it| it.is_finite()).fold(start, f)
+    };
+    *range = (finite(lows, f32::min, range.0), finite(highs, f32::max, range.1));
 }
 
 #[cfg(test)]
@@ -92,10 +122,13 @@ mod tests {
     #[test]
     fn what_is_no_number_is_passed_over() {
         let mut column = Column::default();
-        for value in [f32::NAN, 1.0, f32::NAN, -2.0] {
+        for value in [f32::NAN, 1.0, f32::INFINITY, -2.0] {
             column.push(value);
         }
         assert_eq!(column.range(0, 4), Some((-2.0, 1.0)));
         assert_eq!(column.range(0, 1), None);
+        assert_eq!(column.runs(0, 4), [1..2, 3..4]);
+        (0..300).for_each(|i| column.push(if i == 200 { f32::NAN } else { 0.0 }));
+        assert_eq!(column.runs(3, 304), [3..204, 205..304]);
     }
 }

@@ -3,6 +3,7 @@
 //! Nothing here draws, asks or reads a clock.
 
 mod column;
+pub mod condition;
 pub mod journal;
 pub mod key_summary;
 pub mod timing;
@@ -11,10 +12,11 @@ pub mod trace;
 use std::collections::BTreeMap;
 
 use telemetry::{
-    Catalogue, Deadlines, Event, Links, Log, Midi, Model, Parameter, Signal, Update, Voice,
+    Catalogue, Deadlines, Event, Links, Log, Midi, Model, Parameter, Signal, Status, Update, Voice,
 };
 
 use crate::number;
+use condition::Conditions;
 use journal::Journal;
 use key_summary::KeySummaries;
 use timing::Timing;
@@ -35,11 +37,15 @@ pub struct Store {
     pub catalogue: Option<Catalogue>,
     pub summaries: KeySummaries,
     pub events: Journal<Event>,
-    pub log: Journal<Log>,
+    /// Messages with their times (ns since 1970); 0 for those of this window.
+    pub log: Journal<(u64, Log)>,
     pub midi: Journal<Midi>,
     pub timing: Timing,
     pub deadlines: Option<Deadlines>,
     pub links: Option<Links>,
+    pub status: Option<Status>,
+    /// Keys without a force.
+    pub conditions: Conditions,
     voices: BTreeMap<u8, Voice>,
     traces: BTreeMap<u8, Trace>,
     /// Time of the newest message (ns since 1970).
@@ -58,6 +64,8 @@ impl Default for Store {
             timing: Timing::default(),
             deadlines: None,
             links: None,
+            status: None,
+            conditions: Conditions::default(),
             voices: BTreeMap::new(),
             traces: BTreeMap::new(),
             newest_at: 0,
@@ -94,9 +102,26 @@ impl Store {
             Update::Event(it) => self.events.push(it),
             Update::Ticks(it) => self.timing.take(&it),
             Update::Deadlines(it) => self.deadlines = Some(it),
-            Update::Links(it) => self.links = Some(it),
+            Update::Links(it) => {
+                if self.status.is_none() {
+                    // A recording has no status.
+                    let lines: Vec<_> = it.lines.iter().map(|line| line.name.clone()).collect();
+                    self.conditions = Conditions::new(&it.boards, &lines, None);
+                }
+                self.links = Some(it);
+            }
+            Update::Status(it) => {
+                self.conditions = Conditions::new(&it.boards, &it.lines, Some(&it));
+                self.status = Some(it);
+            }
             Update::Midi(it) => self.midi.push(it),
-            Update::Log(it) => self.log.push(it),
+            Update::Log(it) => {
+                // A host repeats its last lines after each connection.
+                let entry = (at, it);
+                if at == 0 || !self.log.iter().rev().any(|known| *known == entry) {
+                    self.log.push(entry);
+                }
+            }
         }
     }
 
@@ -110,6 +135,14 @@ impl Store {
             version: self.version + 1,
             ..Self::default()
         };
+    }
+
+    /// Forgets the catalogue, the voices and the status of a run that is over.
+    pub fn forget_run(&mut self) {
+        (self.catalogue, self.status) = (None, None);
+        self.conditions = Conditions::default();
+        self.voices.clear();
+        self.version += 1;
     }
 
     /// Forgets rows, events and messages, and nothing else.

@@ -1,5 +1,7 @@
 //! One key, tick by tick: columns with a cap on memory.
 
+use std::ops::Range;
+
 use telemetry::KeyBlock;
 
 use super::column::{BLOCK, Column};
@@ -19,6 +21,15 @@ pub struct Epoch {
     pub mode: u8,
 }
 
+/// Unknown ticks between two rows.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Gap {
+    /// Tick of the last row before.
+    pub last: u64,
+    /// Tick of the first row after.
+    pub next: u64,
+}
+
 /// The rows of one key.
 #[derive(Clone, Debug, Default)]
 pub struct Trace {
@@ -26,12 +37,16 @@ pub struct Trace {
     columns: Vec<Column>,
     modes: Vec<u8>,
     epochs: Vec<Epoch>,
+    gaps: Vec<Gap>,
+    /// `true` if the newest row holds until the next one.
+    rests: bool,
     revision: u32,
 }
 
 impl Trace {
     /// Appends a block's rows and fills the ticks in which the key rested.
     ///
+    /// Ticks after a row that is not asleep, and ticks before a row with flag 8, are unknown.
     /// Rows older than the newest are ignored. Columns are read up to the shortest.
     pub(super) fn append(&mut self, block: &KeyBlock, period: f64) {
         let rows = rows(block);
@@ -43,18 +58,24 @@ impl Trace {
             let tick = block.tick.saturating_add(block.after[row].into());
             let is_next = self.ticks.last().is_none_or(|last| *last < tick);
             if is_next && tick <= super::LAST_TICK {
-                self.fill(tick, period);
+                let flags = block.flags.get(row).copied().unwrap_or(KeyBlock::ASLEEP);
+                self.fill(tick, flags, period);
                 self.push(block, row, tick, period);
+                self.rests = flags & KeyBlock::STATE == KeyBlock::ASLEEP;
             }
         }
     }
 
-    /// Repeats the last row just before `tick`, if ticks are missing.
-    fn fill(&mut self, tick: u64, period: f64) {
-        let (Some(last), Some(row)) = (self.ticks.last(), self.ticks.len().checked_sub(1)) else {
+    /// Repeats the last row just before `tick`, with `flags`, if ticks are missing, or notes a gap.
+    fn fill(&mut self, tick: u64, flags: u8, period: f64) {
+        let Some(row) = self.ticks.len().checked_sub(1) else { return };
+        let last = self.ticks[row];
+        if tick <= last.saturating_add(1) {
             return;
-        };
-        if last.saturating_add(1) < tick {
+        }
+        if flags & KeyBlock::MISSING != 0 || !self.rests {
+            self.gaps.push(Gap { last, next: tick });
+        } else {
             let values: Vec<f32> = self.columns.iter().map(|column| column.values()[row]).collect();
             let mode = self.modes[row];
             self.enter(tick - 1, &values, mode, period);
@@ -110,6 +131,8 @@ impl Trace {
         let oldest = self.ticks.first().copied().unwrap_or(0);
         let gone = self.epochs.partition_point(|epoch| epoch.tick <= oldest).saturating_sub(1);
         self.epochs.drain(..gone);
+        let gone = self.gaps.partition_point(|gap| gap.next <= oldest);
+        self.gaps.drain(..gone);
     }
 
     fn row_bytes(&self) -> usize {
@@ -143,6 +166,18 @@ impl Trace {
         &self.epochs
     }
 
+    /// Returns the gaps between two ticks, oldest first.
+    pub fn gaps(&self, from: u64, to: u64) -> &[Gap] {
+        let first = self.gaps.partition_point(|gap| gap.next <= from);
+        let last = self.gaps.partition_point(|gap| gap.last < to);
+        &self.gaps[first..last.max(first)]
+    }
+
+    /// Returns `true` if the newest row holds until the next one.
+    pub fn rests(&self) -> bool {
+        self.rests
+    }
+
     /// Returns the voice of the newest row.
     pub fn revision(&self) -> u32 {
         self.revision
@@ -153,36 +188,84 @@ impl Trace {
         self.ticks.partition_point(|row| *row <= tick).checked_sub(1)
     }
 
-    /// Returns the value of `column` at `tick`, as of the last row up to it.
+    /// Returns the value of `column` at `tick`, as of the last row up to it; `None` in a gap.
     pub fn value_at(&self, column: usize, tick: u64) -> Option<f32> {
         let row = self.row_at(tick)?;
-        self.values(column).get(row).copied()
+        let is_known = self.gaps(tick, tick).is_empty();
+        self.values(column).get(row).copied().filter(|_| is_known)
     }
 
-    /// Returns points of `column` to draw between two ticks: `[tick, value]`. About four at most
-    /// for each of `buckets`, among them the smallest and the largest value of each.
-    pub fn points(&self, column: usize, from: u64, to: u64, buckets: usize) -> Vec<[f64; 2]> {
+    /// Returns the curve of `column` between two ticks as segments of points `[tick, value]`, with a
+    /// break at each gap and each value that is not finite.
+    ///
+    /// There are about eight points at most for each of `buckets`, among them the smallest and the
+    /// largest value of each. Only if there are more segments than buckets, those less than a bucket
+    /// apart are joined.
+    pub fn segments(
+        &self,
+        column: usize,
+        from: u64,
+        to: u64,
+        buckets: usize,
+    ) -> Vec<Vec<[f64; 2]>> {
         let first = self.row_at(from).unwrap_or(0);
         let last = (self.ticks.partition_point(|row| *row <= to) + 1).min(self.ticks.len());
         let Some(values) = self.columns.get(column) else { return Vec::new() };
         if last <= first {
             return Vec::new();
         }
-        if last - first <= 4 * buckets {
-            let rows = first..last;
-            return rows.map(|i| [self.ticks[i] as f64, values.values()[i].into()]).collect();
-        }
-        self.banded(values, first, last, buckets)
-    }
-
-    /// Returns for each bucket of ticks the first, the smallest, the largest and the last value.
-    fn banded(&self, values: &Column, first: usize, last: usize, buckets: usize) -> Vec<[f64; 2]> {
-        let ticks = &self.ticks[..last];
         let most = u64::try_from(buckets.max(1)).unwrap_or(u64::MAX);
         // Buckets begin at the same ticks however far the view has moved: nothing flickers.
-        let size = (ticks[last - 1] - ticks[first]).div_ceil(most).max(1);
+        let size = (self.ticks[last - 1] - self.ticks[first]).div_ceil(most).max(1);
         let size = size.checked_next_power_of_two().unwrap_or(size);
-        let mut points = Vec::with_capacity(4 * buckets + 8);
+        let mut runs = self.runs(values, first, last);
+        if buckets < runs.len() {
+            runs = self.joined(runs, size);
+        }
+        let is_exact = last - first <= 4 * buckets;
+        let segment = |run: Range<usize>| {
+            let mut points = if is_exact {
+                run.map(|i| [self.ticks[i] as f64, values.values()[i].into()]).collect()
+            } else {
+                self.banded(values, run.start, run.end, size)
+            };
+            points.retain(|point: &[f64; 2]| point[1].is_finite());
+            points
+        };
+        runs.into_iter().map(segment).collect()
+    }
+
+    /// Returns the stretches of rows without a gap and with finite values.
+    fn runs(&self, values: &Column, first: usize, last: usize) -> Vec<Range<usize>> {
+        let gaps = self.gaps(self.ticks[first], self.ticks[last - 1]).iter();
+        let begins = gaps.map(|gap| self.ticks.partition_point(|tick| *tick < gap.next));
+        let mut at = first;
+        let mut runs = Vec::new();
+        for end in begins.chain([last]) {
+            runs.extend(values.runs(at, end));
+            at = end;
+        }
+        runs
+    }
+
+    /// Joins stretches of rows that are less than `size` ticks apart.
+    fn joined(&self, runs: Vec<Range<usize>>, size: u64) -> Vec<Range<usize>> {
+        let mut joined: Vec<Range<usize>> = Vec::new();
+        for run in runs {
+            match joined.last_mut() {
+                Some(last) if self.ticks[run.start] - self.ticks[last.end - 1] < size => {
+                    last.end = run.end;
+                }
+                Some(_) | None => joined.push(run),
+            }
+        }
+        joined
+    }
+
+    /// Returns for each `size` ticks the first, the smallest, the largest and the last value.
+    fn banded(&self, values: &Column, first: usize, last: usize, size: u64) -> Vec<[f64; 2]> {
+        let ticks = &self.ticks[..last];
+        let mut points = Vec::new();
         let mut at = first;
         while at < last {
             let next = (ticks[at] / size).saturating_add(1).saturating_mul(size);
@@ -285,9 +368,60 @@ mod tests {
         let mut long = block(0, &(0..50_000).collect::<Vec<_>>(), 0);
         long.force[31_415] = -7.0;
         trace.append(&long, PERIOD);
-        let points = trace.points(2, 0, 50_000, 400);
+        let [points] = &trace.segments(2, 0, 50_000, 400)[..] else { panic!("a break") };
         assert!(points.len() <= 1640, "{}", points.len());
         assert!(points.iter().any(|[_, force]| *force < -6.9));
+    }
+
+    /// Returns the first and the last tick of each segment of column `column`.
+    fn ends(trace: &Trace, column: usize, buckets: usize) -> Vec<(f64, f64)> {
+        let segments = trace.segments(column, 0, u64::MAX, buckets);
+        segments.iter().map(|points| (points[0][0], points[points.len() - 1][0])).collect()
+    }
+
+    #[test]
+    fn a_curve_breaks_where_there_are_no_values() {
+        let mut trace = Trace::default();
+        let mut torn = block(0, &(0..1000).collect::<Vec<_>>(), 0);
+        for row in 400..600 {
+            torn.signals[2 * row] = f32::NAN;
+        }
+        torn.force[700] = f64::INFINITY;
+        trace.append(&torn, PERIOD);
+        for buckets in [20, 400] {
+            assert_eq!(ends(&trace, 4, buckets), [(0.0, 399.0), (600.0, 999.0)], "{buckets}");
+            assert_eq!(ends(&trace, 2, buckets), [(0.0, 699.0), (701.0, 999.0)], "{buckets}");
+            assert_eq!(ends(&trace, 5, buckets), [(0.0, 999.0)], "{buckets}");
+        }
+    }
+
+    #[test]
+    fn only_a_key_at_rest_is_as_the_row_before() {
+        let mut trace = Trace::default();
+        let flagged = |tick, flags: &[u8]| KeyBlock {
+            flags: flags.to_vec(),
+            ..block(tick, &(0..10).collect::<Vec<_>>()[..flags.len()], 0)
+        };
+        // Rests from 1 on, is awake at 101, and rests from 201 on; rows before 301 are missing.
+        trace.append(&flagged(0, &[0, 1]), PERIOD);
+        trace.append(&flagged(100, &[1, 0]), PERIOD);
+        trace.append(&flagged(200, &[0, 1]), PERIOD);
+        trace.append(&flagged(300, &[9, 1]), PERIOD);
+        assert_eq!(ends(&trace, 2, 100), [(0.0, 101.0), (200.0, 201.0), (300.0, 301.0)]);
+        for (tick, is_known) in [(50, true), (101, true), (102, false), (199, false), (200, true)] {
+            assert_eq!(trace.value_at(2, tick).is_some(), is_known, "{tick}");
+        }
+        assert!(trace.value_at(2, 250).is_none() && trace.value_at(2, 5000).is_some());
+    }
+
+    #[test]
+    fn a_curve_with_many_breaks_is_bounded() {
+        let mut trace = Trace::default();
+        let mut torn = block(0, &(0..50_000).collect::<Vec<_>>(), 0);
+        torn.force.iter_mut().step_by(2).for_each(|it| *it = f64::NAN);
+        trace.append(&torn, PERIOD);
+        let points: usize = trace.segments(2, 0, 50_000, 100).iter().map(Vec::len).sum();
+        assert!(0 < points && points <= 800, "{points}");
     }
 
     #[test]

@@ -1,16 +1,18 @@
-//! Changes that can be undone.
+//! Changes that can be undone: of values and of instruments, in one order.
 
-use super::snapshot::{ParameterSlot, SlotValues};
+use telemetry::Difference;
+
+use super::edit::{EditPatch, ParameterSlot};
 
 const KEPT: usize = 200;
 
-/// One change: by a drag, a typed value, a morph.
+/// One change: by a drag, a typed value, a morph, another instrument.
 #[derive(Clone, PartialEq, Debug)]
 pub struct UndoStep {
     /// Description of the change in a few words.
     pub text: String,
-    pub before: SlotValues,
-    pub after: SlotValues,
+    pub before: EditPatch,
+    pub after: EditPatch,
     /// Steps of the same drag are one.
     gesture: Option<u64>,
 }
@@ -24,22 +26,13 @@ pub struct UndoHistory {
 
 impl UndoHistory {
     /// Enters a step, or merges it into the last one of the same gesture.
-    pub fn enter(
-        &mut self,
-        text: &str,
-        before: SlotValues,
-        after: SlotValues,
-        gesture: Option<u64>,
-    ) {
+    pub fn enter(&mut self, text: &str, before: EditPatch, after: EditPatch, gesture: Option<u64>) {
         self.undone.clear();
-        if let Some(last) = self.done.last_mut()
-            && gesture.is_some()
-            && last.gesture == gesture
-        {
-            for (slot, value) in before {
-                last.before.entry(slot).or_insert(value);
+        if let Some(last) = self.of_gesture_mut(gesture) {
+            for (slot, difference) in before.slots {
+                last.before.slots.entry(slot).or_insert(difference);
             }
-            last.after.extend(after);
+            last.after.slots.extend(after.slots);
             return;
         }
         self.done.push(UndoStep { text: text.to_owned(), before, after, gesture });
@@ -48,20 +41,30 @@ impl UndoHistory {
         }
     }
 
-    /// Undoes the last step; returns the values to restore.
-    pub fn undo(&mut self) -> Option<SlotValues> {
-        let step = self.done.pop()?;
-        let values = step.before.clone();
-        self.undone.push(step);
-        Some(values)
+    fn of_gesture_mut(&mut self, gesture: Option<u64>) -> Option<&mut UndoStep> {
+        self.done.last_mut().filter(|last| gesture.is_some() && last.gesture == gesture)
     }
 
-    /// Redoes the latest undone step; returns its values.
-    pub fn redo(&mut self) -> Option<SlotValues> {
+    /// Returns the difference of `slot` before `gesture`, if that has changed it.
+    pub fn origin(&self, slot: &ParameterSlot, gesture: Option<u64>) -> Option<Option<Difference>> {
+        let last = self.done.last().filter(|it| gesture.is_some() && it.gesture == gesture)?;
+        last.before.slots.get(slot).copied()
+    }
+
+    /// Undoes the last step; returns the patch that restores the state before.
+    pub fn undo(&mut self) -> Option<EditPatch> {
+        let step = self.done.pop()?;
+        let patch = step.before.clone();
+        self.undone.push(step);
+        Some(patch)
+    }
+
+    /// Redoes the latest undone step; returns its patch.
+    pub fn redo(&mut self) -> Option<EditPatch> {
         let step = self.undone.pop()?;
-        let values = step.after.clone();
+        let patch = step.after.clone();
         self.done.push(step);
-        Some(values)
+        Some(patch)
     }
 
     pub fn last(&self) -> Option<&UndoStep> {
@@ -81,13 +84,16 @@ impl UndoHistory {
         self.undone.iter().rev()
     }
 
-    /// Removes rejected values from all steps.
-    pub fn forget(&mut self, slots: &[ParameterSlot]) {
+    /// Removes rejected values and instruments from all steps.
+    pub fn forget(&mut self, slots: &[ParameterSlot], switched: &[u8]) {
+        let is_kept = |key: u8| !switched.contains(&key);
         for step in &mut self.done {
-            step.before.retain(|slot, _| !slots.contains(slot));
-            step.after.retain(|slot, _| !slots.contains(slot));
+            for patch in [&mut step.before, &mut step.after] {
+                patch.slots.retain(|slot, _| !slots.contains(slot) && is_kept(slot.key));
+                patch.instruments.retain(|key, _| is_kept(*key));
+            }
         }
-        self.done.retain(|step| !step.after.is_empty());
+        self.done.retain(|step| !step.after.is_empty() || !step.before.is_empty());
     }
 }
 
@@ -95,21 +101,22 @@ impl UndoHistory {
 mod tests {
     use super::*;
 
-    fn value(value: f64) -> SlotValues {
-        [(ParameterSlot::new(39, "k2"), value)].into()
+    fn patch(value: f64) -> EditPatch {
+        let slots = [(ParameterSlot::new(39, "k2"), Some(Difference::Value(value)))].into();
+        EditPatch { slots, ..EditPatch::default() }
     }
 
     #[test]
     fn steps_go_back_and_forth() {
         let mut history = UndoHistory::default();
-        history.enter("first", value(1.0), value(2.0), None);
-        history.enter("second", value(2.0), value(3.0), None);
-        assert_eq!(history.undo(), Some(value(2.0)));
-        assert_eq!(history.undo(), Some(value(1.0)));
+        history.enter("first", patch(1.0), patch(2.0), None);
+        history.enter("second", patch(2.0), patch(3.0), None);
+        assert_eq!(history.undo(), Some(patch(2.0)));
+        assert_eq!(history.undo(), Some(patch(1.0)));
         assert_eq!(history.undo(), None);
-        assert_eq!(history.redo(), Some(value(2.0)));
+        assert_eq!(history.redo(), Some(patch(2.0)));
         assert_eq!(history.next().map(|step| step.text.as_str()), Some("second"));
-        history.enter("third", value(2.0), value(9.0), None);
+        history.enter("third", patch(2.0), patch(9.0), None);
         assert_eq!(history.redo(), None);
         assert_eq!(history.last().map(|step| step.text.as_str()), Some("third"));
     }
@@ -118,7 +125,7 @@ mod tests {
     fn memory_is_bounded() {
         let mut history = UndoHistory::default();
         for _ in 0..2 * KEPT {
-            history.enter("step", value(0.0), value(1.0), None);
+            history.enter("step", patch(0.0), patch(1.0), None);
         }
         assert_eq!(history.steps().len(), KEPT);
     }

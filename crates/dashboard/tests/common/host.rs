@@ -87,7 +87,8 @@ impl TakeHost {
             | Update::Event(_)
             | Update::Deadlines(_)
             | Update::Midi(_)
-            | Update::Log(_) => {}
+            | Update::Log(_)
+            | Update::Status(_) => {}
         }
     }
 
@@ -134,7 +135,10 @@ impl TakeHost {
             | Request::Render { .. }
             | Request::Load { .. }
             | Request::Press { .. }
+            | Request::FollowBase { .. }
+            | Request::SaveInstrument { .. }
             | Request::Margin { .. }
+            | Request::Figures { .. }
             | Request::Grip { .. }
             | Request::Where {}
             | Request::Status {}
@@ -242,7 +246,9 @@ fn retime(it: &mut Ticks) {
     let each = |f: &dyn Fn(u64) -> f32| ticks.iter().map(|tick| f(*tick)).collect();
     it.work = each(&|tick| 90.0 + (tick % 41) as f32);
     it.turnaround = each(&|tick| 96.0 + (tick % 41) as f32);
-    it.lateness = each(&|tick| if tick == FAULT_TICK { 900.0 } else { 8.0 + (tick % 13) as f32 });
+    it.lateness = each(&|tick| {
+        if tick == FAULT_TICK { 900.0 } else { 8.0 + (tick % 13) as f32 }
+    });
     it.outcome = ticks.iter().map(|tick| u8::from(*tick == FAULT_TICK)).collect();
 }
 

@@ -1,10 +1,14 @@
-use eframe::egui::{ComboBox, DragValue, Grid, Ui};
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{ComboBox, DragValue, Grid, PopupCloseBehavior, Ui};
+use telemetry::signal::Kind;
 
 use super::compare;
 use crate::app_state::AppState;
+use crate::panels::scrolled_ui;
 use crate::scope::Scope;
 use crate::scope::trigger::{Edge, On, Sweep, Trigger};
 use crate::store::Store;
+use crate::store::trace::OWN;
 use crate::{names, unit};
 
 pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, state: &mut AppState, key: u8, now: f64) {
@@ -35,7 +39,10 @@ pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, state: &mut AppState, 
         if ui.toggle_value(&mut scope.has_cursors, "Cursors").clicked() {
             scope.place_cursors(now);
         }
-        ui.menu_button("Channels", |ui| channels_ui(ui, scope, &state.store, key));
+        // The menu stays open, so that one can choose several channels in turn.
+        let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let menu = MenuButton::new("Channels").config(config);
+        menu.ui(ui, |ui| channels_ui(ui, scope, &state.store, key));
         compare::compare_ui(ui, scope, state);
         fit_ui(ui, scope);
         if ui.button("Pop out").clicked() {
@@ -55,19 +62,44 @@ fn fit_ui(ui: &mut Ui, scope: &mut Scope) {
 
 fn channels_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     let shown = scope.channels(store, key);
-    Grid::new("channels").striped(true).show(ui, |ui| {
-        for (name, unit) in store.channels(key) {
-            ui.label(unit::named(&name, &unit));
-            let clicked = (0..=shown.len()).filter(|lane| channel_ui(ui, *lane, &name, &shown));
-            for lane in clicked.collect::<Vec<_>>() {
-                scope.toggle(store, key, lane, &name);
-            }
-            ui.end_row();
-        }
-    });
-    if ui.button("As usual").clicked() {
+    if ui.button("As usual").on_hover_text("Force and guards above, travel below.").clicked() {
         scope.lanes.clear();
         scope.heights.fit_all();
+    }
+    let grid = Grid::new("channels").striped(true);
+    scrolled_ui(ui, |ui| {
+        grid.show(ui, |ui| {
+            ui.weak("channel");
+            for lane in 1..=shown.len() {
+                ui.weak(format!("plot {lane}"));
+            }
+            ui.weak("new plot");
+            ui.end_row();
+            for (i, (name, unit)) in store.channels(key).into_iter().enumerate() {
+                ui.label(unit::named(&name, &unit));
+                let clicked = (0..=shown.len()).filter(|lane| channel_ui(ui, *lane, &name, &shown));
+                let clicked: Vec<_> = clicked.collect();
+                for lane in clicked {
+                    scope.toggle(store, key, lane, &name);
+                }
+                ui.weak(meaning(store, key, i));
+                ui.end_row();
+            }
+        });
+    });
+}
+
+/// Returns words for the channel `i` of a key, counted from the first of [`OWN`].
+fn meaning(store: &Store, key: u8, i: usize) -> String {
+    let own = ["travel of the key's front", "its speed", "force of the model", "force sent"];
+    let signal = i.checked_sub(OWN.len()).and_then(|i| store.signals(key).get(i));
+    let Some(signal) = signal else { return own.get(i).copied().unwrap_or_default().to_owned() };
+    let modes = signal.modes.iter().filter_map(|mode| u8::try_from(*mode).ok()).take(3);
+    let modes: Vec<_> = modes.map(|mode| store.mode_name(key, mode)).collect();
+    match signal.kind() {
+        Kind::State => "state".to_owned(),
+        Kind::Output => "output".to_owned(),
+        Kind::Guard => format!("guard {}", modes.join(", ")),
     }
 }
 

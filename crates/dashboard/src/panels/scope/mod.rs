@@ -67,7 +67,7 @@ fn body_ui(ui: &mut Ui, number: u8, state: &mut AppState) {
     if keys.iter().any(has_rows) {
         lanes::lanes_ui(ui, &mut scope, &state.store, &keys, now);
     } else {
-        nothing_ui(ui, "Nothing has moved this key since it is looked at.");
+        nothing_ui(ui, state, "Nothing has moved this key since it is looked at.");
     }
     state.view.scopes.insert(number, scope);
 }

@@ -1,18 +1,23 @@
 //! Sliders for every parameter of the selected keys, steps back and forth, and snapshots.
 
+mod checked;
 mod file;
+mod offer;
 mod parameter;
+mod saving;
 mod steps;
 
-use eframe::egui::{Button, ComboBox, Context, RichText, ScrollArea, Slider, TextEdit, Ui};
+use eframe::egui::{
+    Button, ComboBox, Context, DragValue, InputState, RichText, ScrollArea, Slider, TextEdit, Ui,
+};
 use serde::{Deserialize, Serialize};
 use telemetry::{Parameter, Request};
 
 use super::nothing_ui;
 use crate::app_state::AppState;
+use crate::names;
 use crate::tune::Tuner;
-use crate::tune::link::LinkedKeys;
-use crate::{names, theme};
+use crate::tune::link::{FollowingKeys, LinkedKeys};
 
 /// Width of the slider between A and B with its name (points).
 const MORPH: f32 = 150.0;
@@ -25,7 +30,12 @@ const MANY: usize = 20;
 pub(super) struct View {
     /// Reaction of the other keys of the range.
     link: LinkedKeys,
+    /// Number of keys beside the range over which a change fades.
+    fade: u8,
     name: String,
+    /// Name for the instrument to save, if it was typed.
+    #[serde(skip)]
+    instrument: Option<String>,
     /// Part of the names of the shown parameters.
     #[serde(skip)]
     find: String,
@@ -43,6 +53,10 @@ impl super::View for View {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.gesture += 1;
         }
+        state.tuner.checks.is_held = ui.input(|input| input.pointer.any_down());
+        if !state.may_change() {
+            ui.disable();
+        }
         let key = state.view.selected;
         self.head_ui(ui, state, key);
         self.compare_ui(ui, &mut state.tuner);
@@ -52,7 +66,7 @@ impl super::View for View {
         }
         ui.separator();
         if state.store.parameters(key).is_empty() {
-            nothing_ui(ui, "Nothing of this key can be changed.");
+            nothing_ui(ui, state, "Nothing of this key can be changed.");
             return;
         }
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
@@ -81,20 +95,20 @@ impl View {
                 if ui.small_button("All keys").clicked() {
                     state.view.range = (0, names::LAST);
                 }
+                if self.link == LinkedKeys::Change {
+                    let fade = ui.add(DragValue::new(&mut self.fade).range(0..=24).prefix("fade "));
+                    fade.on_hover_text("Keys beside the range over which the change fades.");
+                }
             }
         });
         ui.horizontal_wrapped(|ui| {
-            steps::steps_ui(ui, &mut state.tuner);
+            steps::steps_ui(ui, state);
             if ui.button("Save scene").clicked() {
                 state.ask(Request::Scene {});
             }
-            if ui.button("Save preset").clicked() {
-                state.view.scene = file::preset(state, key);
-            }
+            saving::saving_ui(ui, &mut self.instrument, state, key);
         });
-        if let Some(refusal) = state.tuner.refusal() {
-            ui.colored_label(theme::fault(ui), refusal);
-        }
+        checked::checked_ui(ui, &state.tuner);
     }
 
     fn compare_ui(&mut self, ui: &mut Ui, tuner: &mut Tuner) {
@@ -104,7 +118,9 @@ impl View {
                     tuner.kept.compared[i] = Some(tuner.snapshot());
                 }
                 let is_kept = tuner.kept.compared[i].is_some();
-                let recall = ui.add_enabled(is_kept, Button::new(RichText::new(name).strong()));
+                let is_present = tuner.kept.compared[i].as_ref() == Some(&tuner.snapshot());
+                let button = Button::new(RichText::new(name).strong()).selected(is_present);
+                let recall = ui.add_enabled(is_kept, button);
                 if recall.clicked()
                     && let Some(kept) = tuner.kept.compared[i].clone()
                 {
@@ -127,25 +143,27 @@ impl View {
     }
 
     fn parameters_ui(&self, ui: &mut Ui, state: &mut AppState, key: u8) {
-        let range = state.range();
+        let following = FollowingKeys { link: self.link, range: state.range(), fade: self.fade };
         let AppState { store, tuner, .. } = state;
         let found = self.find.trim().to_lowercase();
         let is_found = |it: &&Parameter| {
             [&it.name, &it.title].iter().any(|text| text.to_lowercase().contains(&found))
         };
         for parameter in store.parameters(key).iter().filter(is_found) {
-            let usual = parameter::usual(store, key, &parameter.name);
+            let usual = tuner.base(key, &parameter.name);
             let moved = parameter::parameter_ui(ui, tuner, key, (parameter, usual));
             if let Some(value) = moved {
                 let slot = (key, parameter.name.as_str());
-                tuner.edit(slot, value, (self.link, &range), self.gesture(ui));
+                tuner.edit(slot, value, &following, self.gesture(ui));
             }
         }
     }
 
-    /// Returns the number of the mouse's press while it lasts.
+    /// Returns the number of the mouse's press while it lasts, and in the frame of its release,
+    /// which may still move a value.
     fn gesture(&self, ui: &Ui) -> Option<u64> {
-        ui.input(|input| input.pointer.any_down()).then_some(self.gesture)
+        let lasts = |input: &InputState| input.pointer.any_down() || input.pointer.any_released();
+        ui.input(lasts).then_some(self.gesture)
     }
 
     fn snapshots_ui(&mut self, ui: &mut Ui, tuner: &mut Tuner) {
@@ -181,5 +199,6 @@ impl View {
 
     pub(super) fn file_ui(&mut self, ctx: &Context, state: &mut AppState) {
         file::file_ui(ctx, &mut self.file, state);
+        offer::offer_ui(ctx, state);
     }
 }

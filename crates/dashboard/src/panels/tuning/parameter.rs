@@ -1,21 +1,26 @@
 //! One parameter: name, slider, value to type, reset, lock.
 
-use std::ops::RangeInclusive;
-
+use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{
-    Align, Button, DragValue, Label, Layout, RichText, Slider, SliderClamping, Ui, vec2,
+    Align, Button, Event, Key, Label, Layout, Modifiers, MouseWheelUnit, Response, RichText,
+    Slider, SliderClamping, Stroke, StrokeKind, TextEdit, Ui, Vec2, accesskit, vec2,
 };
 use telemetry::Parameter;
 
-use crate::store::Store;
 use crate::tune::Tuner;
-use crate::{theme, unit};
+use crate::{names, number, theme, unit};
 
-/// Ratio of the range's ends above which the slider is logarithmic.
-const DECADES: f64 = 30.0;
+/// Steps from the usual value to each end of a slider: on the shortest slider one point is less
+/// than a step, and 2.5 mm of let-off or a quarter of a stiffness is more than a hand wants. Other
+/// values can be typed.
+const REACH: f64 = 25.0;
 
-/// Ratio between the slider's ends and the usual value.
-const REACH: f64 = 8.0;
+/// Part of a step that keys, wheel and slider move with Shift.
+const FINE: f64 = 0.1;
+
+/// Points of a smooth wheel for one step.
+const POINTS: f64 = 40.0;
 
 /// Widths of a parameter's name in one line and in two (points); a longer one is cut.
 const NAMES: (f32, f32) = (110.0, 70.0);
@@ -48,11 +53,7 @@ impl<'a> ParameterRow<'a> {
     }
 
     fn label(&self) -> &'a str {
-        label(self.parameter)
-    }
-
-    fn travel(&self) -> RangeInclusive<f64> {
-        travel(self.parameter, self.usual.unwrap_or(self.value))
+        names::title(self.parameter)
     }
 }
 
@@ -73,7 +74,7 @@ pub(super) fn parameter_ui(
         if !is_narrow {
             moved = moved.or(slider_ui(ui, &row, room - BESIDE));
         }
-        moved = moved.or(number_ui(ui, &row)).or(reset_ui(ui, &row));
+        moved = moved.or(number_ui(ui, key, &row)).or(reset_ui(ui, &row));
         if !is_narrow {
             lock_ui(ui, tuner, key, &row);
         }
@@ -99,31 +100,136 @@ fn name_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) {
     name.inner.on_hover_text(format!("{symbol}: {doc}"));
 }
 
+/// Draws the slider; returns the new value if it was moved. A drag moves the value from where it
+/// is, so that a click moves nothing.
 fn slider_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) -> Option<f64> {
-    let mut value = row.value;
-    let travel = row.travel();
-    let is_wide = 0.0 < *travel.start() && DECADES < travel.end() / travel.start();
-    ui.spacing_mut().slider_width = width.clamp(SHORTEST, 260.0);
-    let slider = Slider::new(&mut value, travel).show_value(false).logarithmic(is_wide);
-    // A value typed beyond the slider's end stays.
-    let slider = slider.clamping(SliderClamping::Edits);
+    let reading = unit::of(row.parameter);
+    let fine = if ui.input(|input| input.modifiers.shift) { FINE } else { 1.0 };
+    let around = reading.around(row.usual.unwrap_or(row.value), REACH);
+    let width = width.clamp(SHORTEST, 260.0);
+    ui.spacing_mut().slider_width = width;
+    let (shown, mut asked) = (reading.number(row.value), None);
+    // Keys and screen readers ask for numbers; the pointer's position is not used.
+    let slider = Slider::from_get_set(around.clone(), |number| {
+        asked = number.or(asked);
+        shown
+    });
+    let slider = slider.show_value(false).step_by(fine * reading.step());
+    let slider = slider.smart_aim(false).clamping(SliderClamping::Edits);
     let slid = ui.add_enabled(!row.is_locked, slider).accessible_name(row.label());
-    slid.changed().then_some(value)
+    let moved = if slid.interact_pointer_pos().is_some() {
+        let per_point = (around.end() - around.start()) / f64::from(width);
+        let way = fine * per_point * f64::from(slid.drag_delta().x) / reading.step();
+        let id = slid.id.with("way");
+        // Parts of a step add up over the frames of a drag.
+        let sum = way + ui.data(|data| data.get_temp::<f64>(id)).unwrap_or(0.0);
+        let whole = (sum / fine).round() * fine;
+        let rest = if slid.drag_stopped() { 0.0 } else { sum - whole };
+        ui.data_mut(|data| data.insert_temp(id, rest));
+        let [low, high] = [around.start(), around.end()].map(|it| (it - shown) / reading.step());
+        Some(whole.clamp(low.min(0.0), high.max(0.0)))
+    } else {
+        asked.map(|it| (it - shown) / reading.step())
+    };
+    let moved = moved.filter(|it| *it != 0.0).map(|it| reading.moved(row.value, it));
+    moved.filter(|it| it.to_bits() != row.value.to_bits())
 }
 
-/// Draws the value as a number to type; returns it if it was changed.
-fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
-    let Parameter { unit, min, max, .. } = row.parameter;
-    let mut value = row.value;
-    let travel = row.travel();
-    let speed = (travel.end() - travel.start()) / 500.0;
-    let drag = DragValue::new(&mut value).range(*min..=*max).speed(speed);
-    let drag = drag.custom_formatter(|value, _| unit::exact(value)).suffix(unit::suffix(unit));
-    let drag = drag.update_while_editing(false);
-    let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([92.0, 18.0], drag)).inner;
-    let is_changed = typed.accessible_name(format!("{} value", row.label())).changed();
+/// Text in a number field that is not sent: still being typed, or refused.
+#[derive(Clone, Debug, Default)]
+struct TypedText {
+    text: Option<String>,
+    refusal: Option<String>,
+    /// `true` from the focus until the text is selected as a whole.
+    is_new: bool,
+}
+
+/// Draws the value as a number to type; returns it if it was changed. A refused text stays, with
+/// the reason.
+fn number_ui(ui: &mut Ui, key: u8, row: &ParameterRow<'_>) -> Option<f64> {
+    let reading = unit::of(row.parameter);
+    let id = ui.make_persistent_id((&row.parameter.name, key));
+    let mut typed: TypedText = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let shown = reading.text(row.value);
+    let has_focus = ui.memory(|memory| memory.has_focus(id));
+    let steps = if has_focus { arrow_steps(ui) } else { 0.0 };
+    let mut text = typed.text.clone().unwrap_or_else(|| shown.clone());
+    let edit = TextEdit::singleline(&mut text)
+        .id(id)
+        .text_color_opt(typed.refusal.as_ref().map(|_| theme::fault(ui)));
+    let field = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([92.0, 18.0], edit)).inner;
+    let field = field.accessible_name(format!("{} value", row.label()));
+    select_all(ui, &field, &mut typed, text.chars().count());
+    if field.changed() {
+        typed = TypedText { text: Some(text), ..typed };
+        typed.refusal = None;
+    }
+    let wheel = if has_focus && field.hovered() { wheel_steps(ui) } else { 0.0 };
+    let mut moved = None;
+    if steps + wheel != 0.0 {
+        typed = TypedText::default();
+        moved = Some(reading.moved(row.value, steps + wheel));
+    } else if field.lost_focus() {
+        let is_restored = ui.input(|input| input.key_pressed(Key::Escape));
+        let text = typed.text.take().filter(|it| !is_restored && it.trim() != shown);
+        (moved, typed) = match text.map(|text| (reading.parse(&text), text)) {
+            None => (None, TypedText::default()),
+            Some((Ok(value), _)) => (Some(value), TypedText::default()),
+            Some((Err(why), text)) => {
+                (None, TypedText { text: Some(text), refusal: Some(why), is_new: false })
+            }
+        };
+    }
+    if let Some(why) = &typed.refusal {
+        let stroke = Stroke::new(1.0, theme::fault(ui));
+        ui.painter().rect_stroke(field.rect, 2.0, stroke, StrokeKind::Outside);
+        ui.ctx().accesskit_node_builder(id, |node| {
+            node.set_description(why.as_str());
+            node.set_invalid(accesskit::Invalid::True);
+        });
+        field.on_hover_text(why);
+    }
+    ui.data_mut(|data| data.insert_temp(id, typed));
     // An untouched field does not round the value to the digits that it shows.
-    (is_changed && unit::exact(value) != unit::exact(row.value)).then_some(value)
+    moved.filter(|it| it.to_bits() != row.value.to_bits())
+}
+
+/// Selects the text of a field that got the focus, so that typing replaces it.
+fn select_all(ui: &Ui, field: &Response, typed: &mut TypedText, len: usize) {
+    typed.is_new |= field.gained_focus();
+    let is_held = ui.input(|input| input.pointer.any_down());
+    if typed.is_new && !is_held {
+        typed.is_new = false;
+        if let Some(mut state) = TextEditState::load(ui.ctx(), field.id) {
+            let all = CCursorRange::two(CCursor::new(0), CCursor::new(len));
+            state.cursor.set_char_range(Some(all));
+            state.store(ui.ctx(), field.id);
+        }
+    }
+}
+
+/// Returns the steps of the pressed arrow keys, which no other widget sees.
+fn arrow_steps(ui: &Ui) -> f64 {
+    ui.input_mut(|input| {
+        let mut count = |key| number::f64(input.count_and_consume_key(Modifiers::NONE, key));
+        let steps = count(Key::ArrowUp) - count(Key::ArrowDown);
+        if input.modifiers.shift { FINE * steps } else { steps }
+    })
+}
+
+/// Returns the steps of the mouse wheel, which scrolls nothing then.
+fn wheel_steps(ui: &Ui) -> f64 {
+    ui.input_mut(|input| {
+        let lines = |event: &Event| {
+            let Event::MouseWheel { unit, delta, .. } = event else { return 0.0 };
+            // With Shift, a wheel may turn sideways.
+            let turned = f64::from(delta.x + delta.y);
+            if *unit == MouseWheelUnit::Point { turned / POINTS } else { turned }
+        };
+        let steps: f64 = input.events.iter().map(lines).sum();
+        input.smooth_scroll_delta = Vec2::ZERO;
+        if input.modifiers.shift { FINE * steps } else { steps }
+    })
 }
 
 /// Draws the button that resets the value; returns the instrument's value if clicked.
@@ -131,7 +237,7 @@ fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let can_go_back = row.is_changed && !row.is_locked;
     let reset = ui.add_enabled(can_go_back, Button::new("Reset").small());
     let reset = reset.accessible_name(format!("reset {}", row.label()));
-    let hint = row.usual.map(|it| unit::text(it, &row.parameter.unit)).unwrap_or_default();
+    let hint = row.usual.map(|it| unit::of(row.parameter).text(it)).unwrap_or_default();
     let reset = reset.on_hover_text(format!("As the instrument has it: {hint}"));
     if reset.clicked() { row.usual } else { None }
 }
@@ -147,51 +253,5 @@ fn lock_ui(ui: &mut Ui, tuner: &mut Tuner, key: u8, row: &ParameterRow<'_>) {
     }
     if tuner.is_asked(key, name) {
         ui.weak("…");
-    }
-}
-
-/// Returns the technician's term of a parameter, or else its name.
-pub(super) fn label(parameter: &Parameter) -> &str {
-    if parameter.title.is_empty() { &parameter.name } else { &parameter.title }
-}
-
-/// Returns the range of a slider, near the usual value: a model bears far more than a hand wants.
-/// Any value of the parameter's own range can be typed.
-fn travel(parameter: &Parameter, usual: f64) -> RangeInclusive<f64> {
-    let Parameter { min, max, .. } = *parameter;
-    if usual == 0.0 || !usual.is_finite() {
-        return min.max(-1.0)..=max.min(1.0).max(min);
-    }
-    let (near, far) = (usual / REACH, usual * REACH);
-    // Ratios have near ends of their own.
-    let low = if max <= 1.0 && 0.0 <= min { min } else { near.min(far).max(min) };
-    low..=near.max(far).min(max)
-}
-
-pub(super) fn usual(store: &Store, key: u8, name: &str) -> Option<f64> {
-    let voice = store.voice(key)?;
-    let values = store.instrument_values(&voice.instrument, key)?;
-    let i = store.parameters(key).iter().position(|it| it.name == name)?;
-    values.get(i).copied()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_slider_stays_near_what_is_usual() {
-        let parameter = |min: f64, max: f64| Parameter { min, max, ..Parameter::default() };
-        let is = |(min, max): (f64, f64), usual: f64, wanted: (f64, f64)| {
-            let travel = travel(&parameter(min, max), usual);
-            let is_near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
-            let is_it = is_near(*travel.start(), wanted.0) && is_near(*travel.end(), wanted.1);
-            assert!(is_it, "{min}..{max} around {usual}: {travel:?}");
-        };
-        is((-100.0, 100.0), 0.125, (0.125 / 8.0, 1.0));
-        is((-100.0, 100.0), -0.5, (-4.0, -0.0625));
-        is((0.0, 10.0), 5.0, (0.625, 10.0));
-        is((0.0, 1.0), 0.1, (0.0, 0.8));
-        is((-100.0, 100.0), 0.0, (-1.0, 1.0));
     }
 }

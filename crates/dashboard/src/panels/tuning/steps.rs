@@ -4,35 +4,40 @@ use std::collections::BTreeSet;
 
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Button, PopupCloseBehavior, RichText, ScrollArea, Ui};
+use telemetry::Difference;
 
+use crate::app_state::AppState;
+use crate::names;
 use crate::tune::Tuner;
+use crate::tune::edit::{EditPatch, ParameterSlot};
 use crate::tune::history::UndoStep;
-use crate::tune::snapshot::SlotValues;
-use crate::{names, unit};
+use crate::unit::{self, ParameterReading};
 
 /// Height of the list before it scrolls (points).
 const HEIGHT: f32 = 320.0;
 
-pub(super) fn steps_ui(ui: &mut Ui, tuner: &mut Tuner) {
+pub(super) fn steps_ui(ui: &mut Ui, state: &mut AppState) {
+    let tuner = &state.tuner;
     let history = tuner.history();
     let text = |step: Option<&UndoStep>| step.map(|step| line(step, tuner));
     let (last, next) = (text(history.last()), text(history.next()));
     let undo = ui.add_enabled(last.is_some(), Button::new("Undo"));
     if undo.on_hover_text(last.unwrap_or_default()).clicked() {
-        tuner.undo();
+        state.undo();
     }
     let redo = ui.add_enabled(next.is_some(), Button::new("Redo"));
     if redo.on_hover_text(next.unwrap_or_default()).clicked() {
-        tuner.redo();
+        state.redo();
     }
     // The menu stays open, so that one can listen to several steps in turn.
     let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let (button, _) = MenuButton::new("History").config(config).ui(ui, |ui| list_ui(ui, tuner));
+    let (button, _) = MenuButton::new("History").config(config).ui(ui, |ui| list_ui(ui, state));
     button.on_hover_text("What was changed; a click goes back to it, or forward.");
 }
 
 /// Draws all steps, the newest above; undone ones are faint.
-fn list_ui(ui: &mut Ui, tuner: &mut Tuner) {
+fn list_ui(ui: &mut Ui, state: &mut AppState) {
+    let tuner = &state.tuner;
     let history = tuner.history();
     let here = history.steps().len();
     let done = history.steps().iter().rev().map(|step| line(step, tuner));
@@ -52,32 +57,40 @@ fn list_ui(ui: &mut Ui, tuner: &mut Tuner) {
         chosen
     });
     if let Some(place) = chosen.inner {
-        tuner.go_to(place);
+        let keys = state.tuner.go_to(place);
+        state.show_keys(keys);
     }
 }
 
 /// Describes the keys and values that a step changed.
 fn line(step: &UndoStep, tuner: &Tuner) -> String {
-    let parameters: BTreeSet<&str> = step.after.keys().map(|it| it.parameter.as_str()).collect();
-    let first = step.after.keys().next();
+    let UndoStep { text, before, after, .. } = step;
+    let slots = after.slots.keys();
+    let parameters: BTreeSet<&str> = slots.map(|it| it.parameter.as_str()).collect();
+    if !after.instruments.is_empty() {
+        let names: BTreeSet<&str> = before.instruments.values().map(String::as_str).collect();
+        let names: Vec<_> = names.into_iter().collect();
+        return format!("{text}, before: {}", names.join(", "));
+    }
+    let first = after.slots.keys().next();
     let Some(slot) = first.filter(|_| parameters.len() == 1) else {
-        return format!("{}: {} values of {}", step.text, step.after.len(), keys(&step.after));
+        let keys = after.keys().map_or_else(String::new, |keys| names::range_name(&keys));
+        return format!("{text}: {} values of {keys}", after.slots.len());
     };
-    let unit = tuner.parameter(slot.key, &slot.parameter).map_or("", |it| it.unit.as_str());
-    let (before, after) = (span(&step.before), span(&step.after));
-    format!("{}: from {before} to {after}{}", step.text, unit::suffix(unit))
+    let Some(parameter) = tuner.parameter(slot.key, &slot.parameter) else { return text.clone() };
+    let reading = unit::of(parameter);
+    format!("{text}: from {} to {}", span(before, tuner, reading), span(after, tuner, reading))
 }
 
-/// Returns the keys of some values, from the lowest to the highest.
-fn keys(values: &SlotValues) -> String {
-    let keys = || values.keys().map(|slot| slot.key);
-    let range = keys().min().zip(keys().max());
-    range.map_or_else(String::new, |(low, high)| names::range_name(&(low..=high)))
-}
-
-/// Returns the smallest and the largest value, or the only one.
-fn span(values: &SlotValues) -> String {
-    let low = unit::exact(values.values().copied().fold(f64::INFINITY, f64::min));
-    let high = unit::exact(values.values().copied().fold(f64::NEG_INFINITY, f64::max));
-    if low == high { low } else { format!("{low}..{high}") }
+/// Formats the values of the lowest and the highest key, or the only one.
+fn span(patch: &EditPatch, tuner: &Tuner, reading: ParameterReading<'_>) -> String {
+    let value = |(slot, difference): (&ParameterSlot, &Option<Difference>)| {
+        let base = tuner.base(slot.key, &slot.parameter)?;
+        Some(difference.map_or(base, |it| it.applied_to(base)))
+    };
+    let texts: Vec<_> = patch.slots.iter().filter_map(value).map(|it| reading.text(it)).collect();
+    match (texts.first(), texts.last()) {
+        (Some(first), Some(last)) if first != last => format!("{first}..{last}"),
+        (first, _) => first.cloned().unwrap_or_default(),
+    }
 }

@@ -3,7 +3,11 @@ use telemetry::{Catalogue, Voice};
 use super::*;
 
 const KEY: u8 = 39;
-const ALONE: (LinkedKeys, RangeInclusive<u8>) = (LinkedKeys::Alone, 0..=87);
+const ALL_KEYS: RangeInclusive<u8> = 0..=87;
+
+const fn following(link: LinkedKeys) -> FollowingKeys {
+    FollowingKeys { link, range: ALL_KEYS, fade: 0 }
+}
 
 fn voice(key: u8, revision: u32, model: &str, values: &[f64]) -> Update {
     Update::Voice(Voice {
@@ -34,7 +38,7 @@ fn tuner() -> Tuner {
 }
 
 fn edit(tuner: &mut Tuner, value: f64) {
-    tuner.edit((KEY, "k"), value, (ALONE.0, &ALONE.1), None);
+    tuner.edit((KEY, "k"), value, &following(LinkedKeys::Alone), None);
 }
 
 #[track_caller]
@@ -45,7 +49,7 @@ fn shows(tuner: &Tuner, value: f64) {
 
 /// Sends the outgoing changes as `ticket`; returns their values.
 fn send(tuner: &mut Tuner, ticket: u64) -> Vec<f64> {
-    let changes = tuner.outgoing().expect("something to ask for");
+    let Some(Request::Set { changes }) = tuner.outgoing() else { panic!("no values to send") };
     tuner.sent(Ticket(ticket));
     changes.iter().map(|change| change.value).collect()
 }
@@ -126,16 +130,16 @@ fn values_stay_within_their_limits() {
     shows(&tuner, 0.0);
     edit(&mut tuner, f64::NAN);
     shows(&tuner, 0.0);
-    tuner.edit((KEY, "nothing"), 1.0, (ALONE.0, &ALONE.1), None);
-    tuner.edit((87, "k"), 1.0, (ALONE.0, &ALONE.1), None);
+    tuner.edit((KEY, "nothing"), 1.0, &following(LinkedKeys::Alone), None);
+    tuner.edit((87, "k"), 1.0, &following(LinkedKeys::Alone), None);
     assert_eq!(tuner.history().steps().len(), 2);
 }
 
 #[test]
 fn a_range_is_taken_back_as_one() {
     let mut tuner = tuner();
-    tuner.edit((KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), Some(1));
-    tuner.edit((KEY, "k"), 50.0, (LinkedKeys::Same, &(0..=87)), Some(1));
+    tuner.edit((KEY, "k"), 40.0, &following(LinkedKeys::Same), Some(1));
+    tuner.edit((KEY, "k"), 50.0, &following(LinkedKeys::Same), Some(1));
     assert_eq!(tuner.value(KEY + 1, "k"), Some(50.0));
     assert_eq!(send(&mut tuner, 1), [50.0; 3]);
     tuner.undo();
@@ -148,7 +152,7 @@ fn a_range_is_taken_back_as_one() {
 fn a_key_of_another_model_does_not_follow() {
     let mut tuner = tuner();
     tuner.take(&voice(KEY + 1, 2, "other", &[10.0, 0.5]));
-    tuner.edit((KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), None);
+    tuner.edit((KEY, "k"), 40.0, &following(LinkedKeys::Same), None);
     assert_eq!(tuner.value(KEY - 1, "k"), Some(40.0));
     assert_eq!(tuner.value(KEY + 1, "k"), Some(10.0));
 }
@@ -185,4 +189,117 @@ fn a_lost_host_leaves_nothing_on_its_way() {
     shows(&tuner, 10.0);
     edit(&mut tuner, 30.0);
     assert_eq!(send(&mut tuner, 2), [30.0]);
+}
+
+/// A host with two instruments, whose keys play the first.
+fn with_instruments(run: &str) -> [Update; 2] {
+    let parameters =
+        vec![Parameter { name: "k".into(), unit: "N/m".into(), max: 1e4, ..Parameter::default() }];
+    let model = Model { name: "spring".into(), parameters, ..Model::default() };
+    let instrument = |name: &str, factor: f64| telemetry::Instrument {
+        name: name.into(),
+        model: "spring".into(),
+        values: (0..88).map(|key| factor * 1.1_f64.powi(key)).collect(),
+        ..telemetry::Instrument::default()
+    };
+    let catalogue = Catalogue {
+        run: run.into(),
+        models: vec![model],
+        instruments: vec![instrument("stiff", 2.0), instrument("soft", 1.0)],
+        ..Catalogue::default()
+    };
+    [Update::Catalogue(catalogue), plays("stiff", 1, 2.0 * 1.1_f64.powi(KEY.into()))]
+}
+
+fn take_all(tuner: &mut Tuner, run: &str) {
+    for update in with_instruments(run) {
+        tuner.take(&update);
+    }
+}
+
+fn plays(instrument: &str, revision: u32, value: f64) -> Update {
+    Update::Voice(Voice {
+        key: KEY.into(),
+        revision,
+        model: "spring".into(),
+        instrument: instrument.into(),
+        values: vec![value],
+        ..Voice::default()
+    })
+}
+
+#[test]
+fn an_instrument_is_a_step_that_undo_takes_back_with_its_values() {
+    let mut tuner = Tuner::default();
+    take_all(&mut tuner, "1");
+    edit(&mut tuner, 100.0);
+    assert_eq!(send(&mut tuner, 1), [100.0]);
+    tuner.answered(Ticket(1), Ok(()));
+    tuner.take(&plays("stiff", 2, 100.0));
+    tuner.use_instrument("soft", &ALL_KEYS, BaseValues::Saved);
+    let used = |name: &str, keys: Option<&str>| {
+        let keys = keys.map(str::to_owned);
+        Some(Request::UseInstrument { instrument: name.into(), keys })
+    };
+    assert_eq!(tuner.outgoing(), used("soft", None));
+    tuner.sent(Ticket(2));
+    tuner.answered(Ticket(2), Ok(()));
+    tuner.take(&plays("soft", 3, 1.1_f64.powi(KEY.into())));
+    shows(&tuner, 1.1_f64.powi(KEY.into()));
+    assert_eq!(tuner.undo(), Some(KEY..=KEY));
+    assert_eq!(tuner.outgoing(), used("stiff", Some("C4")));
+    tuner.sent(Ticket(3));
+    tuner.answered(Ticket(3), Ok(()));
+    // The values wait until their instrument plays.
+    assert_eq!(tuner.outgoing(), None);
+    tuner.take(&plays("stiff", 4, 2.0 * 1.1_f64.powi(KEY.into())));
+    assert_eq!(send(&mut tuner, 4), [100.0]);
+    shows(&tuner, 100.0);
+}
+
+#[test]
+fn changes_are_offered_to_the_next_run_and_not_to_the_same() {
+    let mut tuner = Tuner::default();
+    take_all(&mut tuner, "1");
+    edit(&mut tuner, 100.0);
+    send(&mut tuner, 1);
+    tuner.answered(Ticket(1), Ok(()));
+    tuner.forget();
+    let [catalogue, _] = with_instruments("1");
+    tuner.take(&catalogue);
+    tuner.take(&plays("stiff", 2, 100.0));
+    assert!(tuner.offer().is_none() && tuner.history().last().is_some());
+    shows(&tuner, 100.0);
+    tuner.forget();
+    take_all(&mut tuner, "2");
+    assert_eq!(tuner.offer().map(Snapshot::changes), Some(1));
+    assert!(tuner.history().last().is_none());
+    tuner.put_back();
+    assert_eq!(send(&mut tuner, 2), [100.0]);
+    assert!(tuner.offer().is_none());
+}
+
+#[test]
+fn a_fading_change_keeps_the_curve_of_the_instrument() {
+    let mut tuner = Tuner::default();
+    let [catalogue, _] = with_instruments("1");
+    tuner.take(&catalogue);
+    let base = |key: u8| 2.0 * 1.1_f64.powi(key.into());
+    for key in 0..88 {
+        let Update::Voice(voice) = plays("stiff", 1, base(key)) else { panic!("a voice") };
+        tuner.take(&Update::Voice(Voice { key: key.into(), ..voice }));
+    }
+    tuner.edit((0, "k"), 1.2 * base(0), &following(LinkedKeys::Graded), Some(1));
+    tuner.edit((0, "k"), 1.1 * base(0), &following(LinkedKeys::Graded), Some(1));
+    for key in 0..88 {
+        let factor = 1.0 + 0.1 * (87.0 - f64::from(key)) / 87.0;
+        let value = tuner.value(key, "k").expect("a value");
+        // Rounding of the factor and of the product.
+        assert!((value / (factor * base(key)) - 1.0).abs() < 1e-14, "{key}: {value}");
+    }
+    let Some(Request::SaveInstrument { differences, base, .. }) = tuner.saving(3, "mine", &[])
+    else {
+        panic!("something to save");
+    };
+    assert_eq!((base.as_str(), differences.len(), differences[0].keys.len()), ("stiff", 1, 87));
 }
