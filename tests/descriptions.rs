@@ -40,41 +40,6 @@ fn every_shipped_description_is_good_and_shows_its_modes() {
 }
 
 #[test]
-fn a_file_and_the_model_of_the_program_are_simulated_alike() {
-    let folder = folder("descriptions-alike");
-    let described = root().join("crates/instruments/src/key_hammer_springs/model.toml");
-    let mut ends = Vec::new();
-    for model in ["key-hammer-springs", described.to_str().expect("a path")] {
-        let arguments = [
-            "simulate",
-            model,
-            "--input",
-            "s=0.2*(1+tanh((t-0.3)/0.05))/2",
-            "--until",
-            "1.5",
-            "--step",
-            "1e-3",
-            "--method",
-            "rk4",
-            "--json",
-        ];
-        let said = good(&folder, &arguments);
-        let report: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
-        let state: Vec<f64> = report["final"]["state"]
-            .as_object()
-            .expect("a state")
-            .values()
-            .map(|it| it.as_f64().expect("a number"))
-            .collect();
-        ends.push((report["final"]["mode"].clone(), state, report["counts"]["events"].clone()));
-    }
-    assert_eq!((&ends[0].0, &ends[0].2), (&ends[1].0, &ends[1].2));
-    for (by_hand, described) in ends[0].1.iter().zip(&ends[1].1) {
-        assert!((by_hand - described).abs() < 1e-9, "{ends:?}");
-    }
-}
-
-#[test]
 fn mistakes_are_told_all_at_once_with_a_caret() {
     let folder = folder("descriptions-wrong");
     let file = folder.join("wrong.toml");

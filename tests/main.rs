@@ -31,5 +31,6 @@ mod stage;
 mod trials;
 mod watch;
 mod ways_in;
+mod window;
 mod wording;
 mod work;

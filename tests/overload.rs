@@ -152,67 +152,27 @@ fn no_force_steps_where_something_is_left_out_or_taken_back() {
 
 /// Valid values with which turns of the default instrument fail: all of them, most of them while
 /// the key moves, and one in eight.
-const HOSTILE: [&[(&str, f64)]; 3] = [
-    &[
-        ("g", 100.0),
-        ("front", 0.5),
-        ("drop", 0.015),
-        ("shank", 0.16),
-        ("ms", 0.0005),
-        ("leads", 0.0),
-        ("t_lever", 0.0),
-        ("k_knuckle", 1e7),
-        ("k_lever_pad", 0.0),
-        ("wind_k", 1e-6),
-        ("b_jack", 1.0),
-    ],
-    &[
-        ("g", 0.0),
-        ("front", 0.5),
-        ("dip", 0.02),
-        ("string_height", 0.035),
-        ("button", 0.07),
-        ("jw", 1e-7),
-        ("jl", 1e-8),
-        ("t_jack", 0.0),
-        ("k_knuckle", 100.0),
-        ("b_knuckle", 0.0),
-        ("loss_string", 20.0),
-        ("Ks", 1000.0),
-        ("wind_k", 1e-6),
-        ("lag", 1e-6),
-        ("b_hammer", 0.0),
-        ("cap_pre", 0.002),
-    ],
-    &[
-        ("front", 0.1),
-        ("js", 1e-7),
-        ("leads", 0.0),
-        ("jw", 1e-7),
-        ("jl", 0.0001),
-        ("k_knuckle", 1e7),
-        ("k_lever_pad", 0.0),
-        ("k_screw", 1e12),
-        ("k_bed", 0.0),
-        ("k_check", 0.0),
-        ("Ks", 1000.0),
-        ("wind_c", 0.01),
-        ("b_lever", 0.0),
-        ("rail_pre", 0.002),
-        ("cap_pre", -0.002),
-    ],
+const HOSTILE: [&str; 3] = [
+    "g=100 front=0.5 drop=0.015 shank=0.16 ms=0.0005 leads=0 t_lever=0 k_knuckle=1e7 \
+     k_lever_pad=0 wind_k=1e-6 b_jack=1",
+    "g=0 front=0.5 dip=0.02 string_height=0.035 button=0.07 jw=1e-7 jl=1e-8 t_jack=0 \
+     k_knuckle=100 b_knuckle=0 loss_string=20 Ks=1000 wind_k=1e-6 lag=1e-6 b_hammer=0 \
+     cap_pre=0.002",
+    "front=0.1 js=1e-7 leads=0 jw=1e-7 jl=0.0001 k_knuckle=1e7 k_lever_pad=0 k_screw=1e12 \
+     k_bed=0 k_check=0 Ks=1000 wind_c=0.01 b_lever=0 rail_pre=0.002 cap_pre=-0.002",
 ];
 
 const HOSTILE_KEY: usize = 39;
 
-fn hostile(scene: &Scene, values: &[(&str, f64)]) -> BoxedVoice {
+fn hostile(scene: &Scene, values: &str) -> BoxedVoice {
     let mut voice = scene.keys[HOSTILE_KEY].clone().expect("a voice");
     let parameters = &voice.model.parameters;
-    for (name, value) in values {
-        let index = parameters.iter().position(|it| it.name == *name).expect("a parameter");
+    for (name, value) in values.split(' ').filter_map(|it| it.split_once('=')) {
+        let value: f64 = value.parse().expect("a number");
+        let index = parameters.iter().position(|it| it.name == name).expect("a parameter");
         let (min, max) = parameters[index].range;
-        assert!((min..=max).contains(value), "{name} = {value}");
-        voice.values[index] = *value;
+        assert!((min..=max).contains(&value), "{name} = {value}");
+        voice.values[index] = value;
     }
     VoiceBuilder::new(scene).expect("a rate").voice(&voice, Arc::default()).expect("a voice")
 }
@@ -231,7 +191,7 @@ impl TickObserver for &mut TurnLog {
 }
 
 /// Plays every key of the default instrument at `unit` (ns) on one lane; one has `values`.
-fn turns(scene: &Scene, unit: f64, values: &[(&str, f64)]) -> TurnLog {
+fn turns(scene: &Scene, unit: f64, values: &str) -> TurnLog {
     let mut keybed = keybed(scene);
     play_all(&mut keybed, END);
     let mut playing = voices(scene);
@@ -253,7 +213,7 @@ fn a_failing_voice_gets_a_tenth_of_its_lane_and_its_neighbours_notice_nothing() 
     const UNIT: f64 = 500.0;
     const LANE: u32 = 1800;
     let scene = scene("default", &[]);
-    let whole = turns(&scene, UNIT, &[]);
+    let whole = turns(&scene, UNIT, "");
     let healthy = whole.0.iter().flatten();
     assert!(healthy.clone().all(|(.., fault)| fault.is_none()), "a voice of ours was cut off");
     let most = healthy.map(|(_, work, _)| work.units).max().expect("turns");
@@ -288,7 +248,7 @@ fn a_failing_voice_gets_a_tenth_of_its_lane_and_its_neighbours_notice_nothing() 
 fn a_hard_stroke_is_not_taken_for_a_failing_voice_on_a_slow_processor() {
     for hz in ["1000", "2000", "4000"] {
         let scene = scene("default", &[("tick_hz", hz)]);
-        let log = turns(&scene, 1000.0, &[]);
+        let log = turns(&scene, 1000.0, "");
         let failed = log.0.iter().flatten().filter(|(.., fault)| fault.is_some()).count();
         assert_eq!(failed, 0, "{hz} Hz");
     }

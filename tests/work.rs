@@ -1,12 +1,11 @@
 //! Work of a tick in counted evaluations: the same on every machine.
 
 use std::f64::consts::TAU;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
-use instruments::{LoadedModel, ModeCode, NamedModes as _, Playable, SmallModel, Visitor};
+use instruments::{ModeCode, NamedModes as _, Playable, SmallModel};
 use pode::input::Cubic;
 use pode::stepper::{ByNeed, Rk4, Stepper};
 use pode::{Auditor, Limits, Motion, Silent, Simulator, Watch, Work};
@@ -146,12 +145,9 @@ const COUNTS: [(&str, [u32; 4], [u32; 4]); 6] = [
     ("spring-wall", [0, 0, 1, 3000], [0, 0, 1000, 3000]),
 ];
 
-fn named(name: &str) -> Arc<LoadedModel> {
-    Library::default().find(name, "".as_ref()).expect("a model")
-}
-
 fn small(name: &str) -> SmallModel {
-    named(name).small().expect("a small model")
+    let model = Library::default().find(name, "".as_ref()).expect("a model");
+    model.small().expect("a small model")
 }
 
 fn first<M: Playable>(model: &M) -> M {
@@ -182,24 +178,14 @@ fn at_rest<M: Playable>(model: &M) -> Simulator<M, Rk4> {
     Simulator::new(model, Rk4, Limits::default(), mode, state)
 }
 
-struct Counts;
-
-impl Visitor for Counts {
-    type Output = [[u32; 4]; 2];
-
-    fn visit<M: Playable>(self, model: M) -> [[u32; 4]; 2] {
-        [0.0, 3e-3].map(|depth| {
-            let Work { derivatives, rates, guards, readouts, .. } =
-                counted(at_rest(&model), depth, &mut Silent);
-            [derivatives, rates, guards, readouts]
-        })
-    }
-}
-
 #[test]
 fn every_model_computes_what_is_committed_at_rest_and_moving() {
     let found = COUNTS.map(|(name, ..)| {
-        let [rest, moving] = named(name).visit(Counts);
+        let [rest, moving] = [0.0, 3e-3].map(|depth| {
+            let Work { derivatives, rates, guards, readouts, .. } =
+                counted(at_rest(&small(name)), depth, &mut Silent);
+            [derivatives, rates, guards, readouts]
+        });
         (name, rest, moving)
     });
     assert_eq!(found, COUNTS);
@@ -208,15 +194,8 @@ fn every_model_computes_what_is_committed_at_rest_and_moving() {
 #[test]
 fn what_nobody_asked_for_is_not_evaluated() {
     for (name, ..) in COUNTS {
-        struct Unread;
-        impl Visitor for Unread {
-            type Output = (Work, Work);
-            fn visit<M: Playable>(self, model: M) -> (Work, Work) {
-                let unread = counted(at_rest(&model).without_readout(), 3e-3, &mut Silent);
-                (unread, counted(at_rest(&model), 3e-3, &mut Silent))
-            }
-        }
-        let (unread, read) = named(name).visit(Unread);
+        let unread = counted(at_rest(&small(name)).without_readout(), 3e-3, &mut Silent);
+        let read = counted(at_rest(&small(name)), 3e-3, &mut Silent);
         assert_eq!(unread.readouts, 0, "{name}");
         assert!(COUNTED <= read.readouts, "{name}");
         assert_eq!(unread, Work { readouts: 0, ..read }, "{name}: nothing else");

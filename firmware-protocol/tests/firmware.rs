@@ -26,10 +26,9 @@ use firmware_protocol::frame::key_samples::KeySamples;
 use firmware_protocol::frame::multicast_forces::{GROUP, MulticastForces};
 use firmware_protocol::key::PerKey;
 use firmware_protocol::quantity::{Millinewtons, SlopeCode};
-use firmware_protocol::sequence::{FrameOrder, SequenceNumber};
+use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::{MAX_FRAME, Nothing, Record as _, schema};
 use random::Random;
-use tools::say;
 
 /// Rest positions of the key on its felt (um): 10.16 mm without force, 28 um deeper with 2 N.
 const BOTTOM: i32 = 10_160;
@@ -63,49 +62,6 @@ fn check_unknown(board: &mut Board) {
     bytes[2] = 99;
     board.send(&bytes[..len]);
     assert_eq!(board.raw_reply(), [0xA0 | BOARD, 77, 99, Status::Unknown as u8]);
-}
-
-#[test]
-fn samples_come_at_their_rate_without_a_gap() {
-    let Some(mut board) = Board::start("stream") else { return };
-    for (period_us, hz) in [(4_000, 250), (2_000, 500)] {
-        board.stream(period_us);
-        let frames = 2 * hz;
-        let start = Instant::now();
-        let (mut last, mut board_us) = (board.samples().header, 0_u32);
-        for _ in 0..frames {
-            let header = board.samples().header;
-            assert_eq!(header.sequence.after(last.sequence), FrameOrder::Newer { missing: 0 });
-            board_us += u32::from(header.stamp_us.wrapping_sub(last.stamp_us));
-            last = header;
-        }
-        let wall = start.elapsed().as_secs_f64();
-        let mean = f64::from(board_us) / f64::from(frames);
-        say(&format!("{hz} Hz asked: {:.0} Hz came, {mean:.0} us apart", f64::from(frames) / wall));
-        // A board without processor time leaves samples out, but adds none.
-        assert!((0.99..1.5).contains(&(mean / f64::from(period_us))), "{mean} us apart");
-    }
-    assert_eq!(board.counters().unsent, 0);
-}
-
-#[test]
-fn a_ping_is_answered_within_milliseconds_and_the_clock_runs_like_ours() {
-    let Some(mut board) = Board::start("ping") else { return };
-    let (start, first) = (Instant::now(), board.get::<_, Pong>(Operation::Ping, &Nothing));
-    let mut trips = Vec::new();
-    for _ in 0..400 {
-        let sent = Instant::now();
-        let _pong: Pong = board.get(Operation::Ping, &Nothing);
-        trips.push(sent.elapsed());
-        std::thread::sleep(Duration::from_millis(2));
-    }
-    let last = board.get::<_, Pong>(Operation::Ping, &Nothing);
-    let ratio = f64::from(last.board_us.wrapping_sub(first.board_us)) * 1e-6
-        / start.elapsed().as_secs_f64();
-    trips.sort();
-    say(&format!("ping p50 {:?}, p99 {:?}; clock {ratio:.4}", trips[200], trips[396]));
-    assert!(trips[200] < Duration::from_millis(50));
-    assert!((0.9..1.1).contains(&ratio), "the clock runs {ratio} times as fast");
 }
 
 #[test]

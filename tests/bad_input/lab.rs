@@ -11,19 +11,9 @@ fn every_mistake_is_told_at_once() {
     let folder = folder("lab-mistakes");
     fs::write(folder.join("peers.json"), "{\"rows\": [{\"problem\": 1}]}").expect("a file");
     fs::write(folder.join("file"), "").expect("a file");
-    let arguments = [
-        "lab",
-        "accuracy",
-        "--out",
-        "file/report",
-        "--scenario",
-        "pendulm",
-        "ball",
-        "--method",
-        "rk5",
-        "--peers",
-        "peers.json",
-    ];
+    let arguments = "lab accuracy --out file/report --scenario pendulm ball --method rk5 --peers \
+                     peers.json";
+    let arguments: Vec<_> = arguments.split_whitespace().collect();
     let said = run(&folder, &arguments);
     assert_eq!((said.code, said.lines().len()), (Some(2), 4), "{said:?}");
     check_words(&said, &["no scenario \"pendulm\": use \"pendulum\"", "no method \"rk5\""]);

@@ -69,30 +69,6 @@ fn a_port_behind_which_nobody_speaks_the_protocol() {
 }
 
 #[test]
-fn a_clock_that_runs_too_fast() {
-    let _machine = part_of_machine();
-    let folder = letoff::folder("refused-drift");
-    with_time("the refusal of a clock that runs too fast", |watch| {
-        let boards = Boards::watched(watch, &folder, 1, &["--drift", "50000"]);
-        let links = boards.links();
-        let said = run_watched(watch, &folder, &arguments(&links, &["--performance", "none"]));
-        assert_eq!(said.code, Some(1), "{said:?}");
-        letoff::check_words(&said, &["board 0 on", "% too fast, and at most 3 % is accepted"]);
-        // It was armed so that its clock could be read, but got no force.
-        assert_eq!(boards.stop()[0]["counts"]["forces"], 0);
-    });
-}
-
-#[test]
-fn a_port_that_is_not_there() {
-    let folder = letoff::folder("refused-missing");
-    let words = ["/no/such/port", "letoff devices"];
-    letoff::check(&folder, &["run", "--link", "serial:/no/such/port"], 1, &words);
-    let words = ["no-such-can"];
-    letoff::check(&folder, &["run", "--link", "can:no-such-can"], 1, &words);
-}
-
-#[test]
 fn a_board_that_comes_a_moment_later_is_waited_for() {
     let _machine = part_of_machine();
     let folder = letoff::folder("refused-later");

@@ -108,7 +108,7 @@ fn a_voice_that_is_retuned_leaves_the_heap_alone() {
         }
         stage.observer.0 = 0;
         for (key, voice) in scene.keys.iter().enumerate() {
-            let KeyVoice { model, values } = voice.as_ref().expect("a voice on each key");
+            let KeyVoice { model, values, .. } = voice.as_ref().expect("a voice on each key");
             let values = ModelValues::new(model.id(), 1, values).expect("not too many");
             stage.swaps.send(key, VoiceChange::Retune(values)).expect("room for it");
         }

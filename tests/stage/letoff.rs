@@ -140,6 +140,13 @@ pub(crate) fn start(folder: &Path, arguments: &[&str]) -> Child {
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 
+/// Like [`start`], but writes the program's log to the end of `log`.
+pub(crate) fn start_logged(folder: &Path, log: &Path, arguments: &[&str]) -> Child {
+    let log = fs::OpenOptions::new().create(true).append(true).open(log).expect("a log");
+    let mut command = command(folder, arguments);
+    command.stdout(Stdio::null()).stderr(log).spawn().expect("the program starts")
+}
+
 pub(crate) fn end(child: Child) -> Said {
     Said::new(child.wait_with_output().expect("the program ends"))
 }

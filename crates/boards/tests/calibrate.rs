@@ -59,28 +59,6 @@ fn measured(bench: &mut Bench, nominal: &KeyCalibration, slot: u8) -> KeyCalibra
 }
 
 #[test]
-fn rest_bottom_and_friction_of_two_keys_come_out() {
-    let (mut bench, board) = bench(make(2));
-    let rests = tried(|| bench.rests(&[key(0), key(1)]).into_iter().collect::<Result<Vec<_>, _>>());
-    assert_eq!(rests.expect("two keys at rest").len(), 2);
-    for slot in 0..2 {
-        let key = measured(&mut bench, &KeyCalibration::nominal(1e-6), slot);
-        assert!(key.rest.get().abs() <= 2, "{key:?}");
-        // At most 1.5 N on a felt of 60 kN/m, which lies 10.16 mm deep.
-        assert!((10_160..=10_190).contains(&key.bottom.get()), "{key:?}");
-        // Stiction is 0.12 N, and 0.3 N/s go on for some milliseconds.
-        assert!((0.10..0.14).contains(&key.friction), "{key:?}");
-    }
-    let _open = bench.release();
-    // Longer than forces are valid and fade.
-    std::thread::sleep(std::time::Duration::from_millis(150));
-    let board = board.stop();
-    let positions = (0..2).map(|slot| board.rig(slot).expect("a key").position());
-    assert!(positions.map(f64::abs).all(|it| it < 0.5e-3), "both are back");
-    assert!(board.is_safe(), "it renders no force afterwards");
-}
-
-#[test]
 fn an_encoder_of_another_scale_and_offset_is_known_after_the_trip() {
     let rig = RigParameters { quantum: 2.5e-6, ..RigParameters::default() };
     let (mut bench, _board) = bench(BoardMake { rig, offset: -1_234, ..make(1) });

@@ -159,15 +159,9 @@ fn check_rising(mass: f64, touch: Touch, slowest: f64) {
 }
 
 #[test]
-fn a_key_as_heavy_as_an_action_is_faster_the_faster_it_is_pressed() {
+fn a_key_as_heavy_as_an_action_is_faster_the_faster_it_is_pressed_or_struck() {
     for mass in [0.15, 0.28, 0.35] {
         check_rising(mass, Touch::Pressed, 0.02);
-    }
-}
-
-#[test]
-fn a_key_as_heavy_as_an_action_is_faster_the_faster_it_is_struck() {
-    for mass in [0.15, 0.28, 0.35] {
         check_rising(mass, Touch::Struck, 0.1);
     }
 }

@@ -72,6 +72,11 @@ fn a_name_is_a_model_of_the_program() {
     let library = Library::default();
     let wall = library.find("spring-wall", Path::new("/nowhere")).unwrap();
     assert!(library.find("spring-wall", Path::new("")).is_ok_and(|it| it.is(&wall)), "once");
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("same.toml"), description("spring-wall").unwrap()).unwrap();
+    let same = library.load(&folder.path().join("same.toml")).unwrap();
+    let [one, other] = [&same, &wall].map(|it| format!("{:?}{:?}", it.modes, it.parameters));
+    assert_eq!(one, other, "the program's own, read from a file");
     let Err(MissingModel::Unknown { message, help }) = library.find("spring-wal", Path::new(""))
     else {
         panic!("a model of another name");

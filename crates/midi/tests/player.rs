@@ -50,87 +50,72 @@ fn sent(player: &Player<MessageRecorder>) -> Vec<(f64, [u8; 3])> {
         .collect()
 }
 
-#[track_caller]
-fn check(events: &[NoteEvent], expected: &[(f64, [u8; 3])]) {
-    let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
-    for event in events {
-        player.play(*event).expect("memory takes everything");
-    }
-    assert_eq!(sent(&player), expected);
+fn press(at: f64, pedal: Pedal, depth: f64) -> NoteEvent {
+    NoteEvent { key: 0, at, kind: NoteEventKind::Pedal { pedal, depth } }
 }
 
-#[test]
-fn a_note_begins_at_the_strike_and_ends_when_the_damper_falls() {
-    check(&[lift(0.9), strike(1.0, 1.0), fall(2.0)], &[on(1.0, 58), off(2.0, 64)]);
-}
+type Row<'a> = (&'a str, &'a [NoteEvent], &'a [(f64, [u8; 3])]);
 
 #[test]
-fn a_key_struck_again_before_its_damper_falls_ends_the_first_note() {
-    check(
-        &[lift(0.9), strike(1.0, 1.0), strike(1.2, 2.0), fall(2.0)],
-        &[on(1.0, 58), off(1.2, 64), on(1.2, 79), off(2.0, 64)],
-    );
-}
-
-#[test]
-fn a_silent_press_sends_nothing() {
-    check(&[lift(0.9), fall(2.0)], &[]);
-}
-
-#[test]
-fn a_strike_after_the_damper_fell_sounds_and_does_not_hang() {
-    check(
-        &[lift(0.9), fall(1.0), strike(1.002, 1.0), sustain(1.2, 1.0)],
-        &[on(1.002, 58), off(1.052, 64), (1.2, [0xB0, 64, 127])],
-    );
-}
-
-#[test]
-fn a_damper_that_lifts_again_under_a_late_strike_keeps_it() {
-    check(
-        &[lift(0.9), fall(1.0), strike(1.002, 1.0), lift(1.01), fall(2.0)],
-        &[on(1.002, 58), off(2.0, 64)],
-    );
-}
-
-#[test]
-fn an_action_that_reports_no_lifts_holds_its_notes() {
-    let two = [strike(1.0, 1.0), fall(2.0), strike(3.0, 1.0), sustain(3.5, 0.0), fall(4.0)];
-    check(&two, &[on(1.0, 58), off(2.0, 64), on(3.0, 58), off(4.0, 64)]);
-}
-
-#[test]
-fn the_pedal_is_sent_when_its_value_changes() {
-    let moves = [sustain(1.0, 0.5), sustain(1.1, 0.501), sustain(1.2, f64::NAN)];
-    check(&moves, &[(1.0, [0xB0, 64, 64]), (1.2, [0xB0, 64, 0])]);
-}
-
-#[test]
-fn each_pedal_has_its_controller_and_moves_by_itself() {
-    let press = |at, pedal, depth| {
-        let kind = NoteEventKind::Pedal { pedal, depth };
-        NoteEvent { key: 0, at, kind }
-    };
-    let moves = [
-        press(1.0, Pedal::Sostenuto, 1.0),
-        press(1.1, Pedal::UnaCorda, 0.5),
-        press(1.2, Pedal::Sustain, 0.0),
-        press(1.3, Pedal::Sostenuto, 0.0),
+fn each_sequence_of_events_gives_these_messages() {
+    let pedals = [(1.0, Pedal::Sostenuto, 1.0), (1.1, Pedal::UnaCorda, 0.5)]
+        .into_iter()
+        .chain([(1.2, Pedal::Sustain, 0.0), (1.3, Pedal::Sostenuto, 0.0)]);
+    let pedals: Vec<_> = pedals.map(|(at, pedal, depth)| press(at, pedal, depth)).collect();
+    let beyond = NoteEvent { key: 88, ..strike(0.0, 1.0) };
+    let kind = NoteEventKind::Strike { speed: 5.0, velocity: Velocity::new(64) };
+    let without_dynamics = NoteEvent { key: KEY, at: 1.0, kind };
+    let rows: [Row<'_>; 10] = [
+        (
+            "a note begins at the strike and ends when the damper falls",
+            &[lift(0.9), strike(1.0, 1.0), fall(2.0)],
+            &[on(1.0, 58), off(2.0, 64)],
+        ),
+        (
+            "a key struck again before its damper falls ends the first note",
+            &[lift(0.9), strike(1.0, 1.0), strike(1.2, 2.0), fall(2.0)],
+            &[on(1.0, 58), off(1.2, 64), on(1.2, 79), off(2.0, 64)],
+        ),
+        ("a silent press sends nothing", &[lift(0.9), fall(2.0)], &[]),
+        (
+            "a strike after the damper fell sounds and does not hang",
+            &[lift(0.9), fall(1.0), strike(1.002, 1.0), sustain(1.2, 1.0)],
+            &[on(1.002, 58), off(1.052, 64), (1.2, [0xB0, 64, 127])],
+        ),
+        (
+            "a damper that lifts again under a late strike keeps it",
+            &[lift(0.9), fall(1.0), strike(1.002, 1.0), lift(1.01), fall(2.0)],
+            &[on(1.002, 58), off(2.0, 64)],
+        ),
+        (
+            "an action that reports no lifts holds its notes",
+            &[strike(1.0, 1.0), fall(2.0), strike(3.0, 1.0), sustain(3.5, 0.0), fall(4.0)],
+            &[on(1.0, 58), off(2.0, 64), on(3.0, 58), off(4.0, 64)],
+        ),
+        (
+            "the pedal is sent when its value changes",
+            &[sustain(1.0, 0.5), sustain(1.1, 0.501), sustain(1.2, f64::NAN)],
+            &[(1.0, [0xB0, 64, 64]), (1.2, [0xB0, 64, 0])],
+        ),
+        (
+            "each pedal has its controller and moves by itself",
+            &pedals,
+            &[(1.0, [0xB0, 66, 127]), (1.1, [0xB0, 67, 64]), (1.3, [0xB0, 66, 0])],
+        ),
+        ("a key that does not exist is silent", &[beyond], &[]),
+        (
+            "an instrument without dynamics has one velocity",
+            &[lift(0.9), without_dynamics],
+            &[on(1.0, 64)],
+        ),
     ];
-    let expected = [(1.0, [0xB0, 66, 127]), (1.1, [0xB0, 67, 64]), (1.3, [0xB0, 66, 0])];
-    check(&moves, &expected);
-}
-
-#[test]
-fn a_key_that_does_not_exist_is_silent() {
-    check(
-        &[NoteEvent {
-            key: 88,
-            at: 0.0,
-            kind: NoteEventKind::Strike { speed: 1.0, velocity: None },
-        }],
-        &[],
-    );
+    for (label, events, expected) in rows {
+        let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
+        for event in events {
+            player.play(*event).expect("memory takes everything");
+        }
+        assert_eq!(sent(&player), expected, "{label}");
+    }
 }
 
 #[test]
@@ -206,13 +191,6 @@ fn silence_tries_every_message_even_if_all_are_lost() {
     assert!(player.play(strike(1.0, 1.0)).is_err());
     assert!(player.cut_off().is_err());
     assert_eq!(sent.borrow().len(), 1 + 3);
-}
-
-#[test]
-fn an_instrument_without_dynamics_has_one_velocity() {
-    let velocity = Velocity::new(64);
-    let kind = NoteEventKind::Strike { speed: 5.0, velocity };
-    check(&[lift(0.9), NoteEvent { key: KEY, at: 1.0, kind }], &[on(1.0, 64)]);
 }
 
 #[test]

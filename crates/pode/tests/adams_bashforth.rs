@@ -1,12 +1,9 @@
 //! The Adams–Bashforth methods: steps of any length, and no memory across an event.
 
 use pode::stepper::{AdamsBashforth2, AdamsBashforth3, Field, Memory};
-use pode::{
-    Advance, Dense as _, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets,
-    Simulator, State, Step, Stepper,
-};
+use pode::{Advance, Dense as _, GuardValue, State, Step, Stepper};
 
-use crate::common::{ONE, no_input};
+use crate::common::{ONE, OneMode, no_input};
 use crate::known::{PENDULUM, check_order, exact, global_error, largest_inside, step};
 
 #[test]
@@ -54,35 +51,15 @@ fn the_next_step_is_a_first_one_after_a_restart_and_after_a_crumb() {
     check::<AdamsBashforth3>();
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Rebound;
-
 const WALL: f64 = 0.3;
 
-impl Model for Rebound {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], -x[0]]
-    }
-}
-
-impl Guarded for Rebound {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        &ONE
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
-        GuardValue::new(x[0] - WALL, x[1])
-    }
-}
-
-impl Resets for Rebound {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        Reset::to((), [WALL, -x[1]])
+/// x'' = −x above an elastic wall.
+fn rebound() -> OneMode<(), 2> {
+    OneMode {
+        guards: &ONE,
+        guard: |(), _, x| GuardValue::new(x[0] - WALL, x[1]),
+        reset: |(), _, x| [WALL, -x[1]],
+        ..OneMode::new((), |(), x| [x[1], -x[0]])
     }
 }
 
@@ -90,7 +67,7 @@ fn rebound_error<T: Stepper>(steps: i32) -> f64 {
     // From the top to the wall, and three times up and down again.
     let exact = 7.0 * WALL.acos();
     let h = exact / f64::from(steps);
-    let mut simulator = Simulator::new(Rebound, T::default(), Limits::default(), (), [1.0, 0.0]);
+    let mut simulator = rebound().start(T::default(), [1.0, 0.0]);
     let mut recorder = pode::RunRecorder::new(h);
     while recorder.events().len() < 4 {
         assert_eq!(simulator.advance(h, &no_input, &mut recorder).advance, Advance::Completed);

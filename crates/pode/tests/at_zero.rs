@@ -12,82 +12,33 @@ const TICKS: [u32; 4] = [1, 10, 143, 1000];
 
 const LOCATED: f64 = 9.1e-13;
 
-#[track_caller]
-fn check(guard: fn(GuardId, f64) -> GuardValue, expected: &[f64], tolerance: f64) {
-    for n in TICKS {
-        let times = fired(guard, n);
-        assert_eq!(times.len(), expected.len(), "{n} ticks: {times:?} instead of {expected:?}");
-        for (t, expected) in times.iter().zip(expected) {
-            close(format_args!("{n} ticks"), *t, *expected, tolerance);
-        }
-    }
+fn v(value: f64, rate: f64) -> GuardValue {
+    GuardValue::new(value, rate)
 }
 
-fn fired(guard: fn(GuardId, f64) -> GuardValue, n: u32) -> Vec<f64> {
-    let h = 1.0 / f64::from(n);
-    let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
-    let mut recorder = RunRecorder::new(h);
-    for _ in 0..n {
-        let tick = timed.advance(h, &no_input, &mut recorder);
-        assert_eq!(tick.advance, Advance::Completed);
-    }
-    recorder.times()
-}
+/// A guard, and the times of its events with their tolerance.
+type Row = (&'static str, fn(GuardId, f64) -> GuardValue, &'static [f64], f64);
 
 #[test]
-fn a_guard_on_its_way_up_is_silent() {
-    check(|_, t| GuardValue::new(t, 1.0), &[], 0.0);
-}
-
-#[test]
-fn a_guard_on_its_way_down_fires_at_once() {
-    check(|_, t| GuardValue::new(-t, -1.0), &[0.0], 0.0);
-}
-
-#[test]
-fn a_parabola_that_opens_upwards_is_silent() {
-    check(|_, t| GuardValue::new(t * t, 2.0 * t), &[], 0.0);
-}
-
-#[test]
-fn a_parabola_that_opens_downwards_fires_at_once() {
-    check(|_, t| GuardValue::new(-t * t, -2.0 * t), &[0.0], 0.0);
-}
-
-#[test]
-fn a_cubic_that_rises_is_silent() {
-    check(|_, t| GuardValue::new(t.powi(3), 3.0 * t * t), &[], 0.0);
-}
-
-#[test]
-fn a_cubic_that_falls_fires_where_rounding_lets_it_be_seen() {
+fn a_guard_that_is_zero_at_the_start_fires_where_it_falls() {
     let visible = (16.0 * f64::EPSILON).cbrt();
-    check(|_, t| GuardValue::new(-t.powi(3), -3.0 * t * t), &[0.0], 1.01 * visible);
-}
-
-#[test]
-fn a_guard_that_rises_and_falls_fires_at_the_fall() {
-    check(|_, t| GuardValue::new(t * (0.5 - t), 0.5 - 2.0 * t), &[0.5], LOCATED);
-}
-
-#[test]
-fn a_guard_that_rests_at_zero_and_rises_is_silent() {
-    check(|_, t| GuardValue::new((t - 0.1).max(0.0), f64::from(t > 0.1)), &[], 0.0);
-}
-
-#[test]
-fn a_guard_that_rests_at_zero_and_falls_fires_at_the_fall() {
-    check(|_, t| GuardValue::new(-(t - 0.1).max(0.0), -f64::from(t > 0.1)), &[0.1], LOCATED);
-}
-
-#[test]
-fn a_guard_that_is_negative_by_rounding_and_rises_is_silent() {
-    check(|_, t| GuardValue::new(-1e-17 + t, 1.0), &[], 0.0);
-}
-
-#[test]
-fn a_guard_that_is_positive_by_rounding_and_falls_fires_at_once() {
-    check(|_, t| GuardValue::new(1e-17 - t, -1.0), &[0.0], 1e-17);
+    let rows: [Row; 11] = [
+        ("on its way up: silent", |_, t| v(t, 1.0), &[], 0.0),
+        ("on its way down: at once", |_, t| v(-t, -1.0), &[0.0], 0.0),
+        ("a parabola that opens upwards", |_, t| v(t * t, 2.0 * t), &[], 0.0),
+        ("a parabola that opens downwards", |_, t| v(-t * t, -2.0 * t), &[0.0], 0.0),
+        ("a cubic that rises", |_, t| v(t.powi(3), 3.0 * t * t), &[], 0.0),
+        ("a cubic that falls", |_, t| v(-t.powi(3), -3.0 * t * t), &[0.0], 1.01 * visible),
+        ("rises and falls", |_, t| v(t * (0.5 - t), 0.5 - 2.0 * t), &[0.5], LOCATED),
+        ("rests and rises", |_, t| v((t - 0.1).max(0.0), f64::from(t > 0.1)), &[], 0.0),
+        ("rests and falls", |_, t| v(-(t - 0.1).max(0.0), -f64::from(t > 0.1)), &[0.1], LOCATED),
+        ("negative by rounding, and rises", |_, t| v(-1e-17 + t, 1.0), &[], 0.0),
+        ("positive by rounding, and falls", |_, t| v(1e-17 - t, -1.0), &[0.0], 1e-17),
+    ];
+    for (what, guard, expected, tolerance) in rows {
+        let timed = Timed { guards: &ONE, guard, effect: count };
+        timed.check_times(what, TICKS, expected, tolerance);
+    }
 }
 
 /// Moves to the negated guard, t − 0.5, two roundings below its zero.
@@ -98,15 +49,9 @@ fn land_short(id: GuardId, x: &mut [f64; 3]) -> bool {
 
 #[test]
 fn a_reset_that_leaves_its_guard_two_ulps_short_does_not_fire_again() {
-    for n in TICKS {
-        let guard = |_: GuardId, t: f64| GuardValue::new(0.5 - t, -1.0);
-        let mut timed = Timed { guards: &ONE, guard, effect: land_short }.start();
-        let mut recorder = RunRecorder::new(1.0 / f64::from(n));
-        for _ in 0..n {
-            let _ = timed.advance(1.0 / f64::from(n), &no_input, &mut recorder);
-        }
-        assert_eq!(recorder.events().len(), 1, "{n} ticks: {:?}", recorder.events());
-    }
+    let guard = |_: GuardId, t: f64| GuardValue::new(0.5 - t, -1.0);
+    let timed = Timed { guards: &ONE, guard, effect: land_short };
+    timed.check_times("two ulps short", TICKS, &[0.5], 1e-12);
 }
 
 #[test]
@@ -117,15 +62,8 @@ fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip
         let (a, b, c) = (t - 0.2, t - 0.4, t - 0.8);
         GuardValue::new(a * b * c, b * c + a * c + a * b)
     };
-    for n in TICKS {
-        let mut timed = Timed { guards: &FALLS, guard, effect: count }.start();
-        let mut recorder = RunRecorder::new(1.0 / f64::from(n));
-        for _ in 0..n {
-            let _ = timed.advance(1.0 / f64::from(n), &no_input, &mut recorder);
-        }
-        assert_eq!(recorder.events().len(), 1, "{n} ticks: {:?}", recorder.times());
-        close(format_args!("{n} ticks"), recorder.events()[0].t, 0.4, 1e-14);
-    }
+    let timed = Timed { guards: &FALLS, guard, effect: count };
+    timed.check_times("the dip", TICKS, &[0.4], 1e-14);
 }
 
 #[test]

@@ -4,41 +4,20 @@
 //! reaches zero within rounding would have terms that count for ever.
 
 use pode::stepper::Exact;
-use pode::{Advance, EquationKind, Guarded, Limits, Model, Nature, Resets, Silent, Simulator};
+use pode::{Advance, EquationKind, Nature, Silent};
 
 use crate::common::head::{CONTACTS, Head};
-use crate::common::{close, no_input};
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Swing;
-
-impl Model for Swing {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], -x[0]]
-    }
-
-    fn nature(&self, (): ()) -> Nature {
-        Nature::new(EquationKind::Affine, 1.0)
-    }
-}
-
-impl Guarded for Swing {}
-
-impl Resets for Swing {}
+use crate::common::{OneMode, close, no_input};
 
 #[test]
 fn a_step_that_ends_at_zero_ends() {
+    let nature = Nature::new(EquationKind::Affine, 1.0);
+    let swing = OneMode { nature, ..OneMode::new((), |(), x| [x[1], -x[0]]) };
     for n in 1..=1000 {
         let h = f64::from(n) * 1e-3;
         for (x, v) in [(-h.sin(), h.cos()), (h.cos(), h.sin())] {
             for x in [x, x.next_up(), x.next_down()] {
-                let exact = Exact;
-                let mut it = Simulator::new(Swing, exact, Limits::default(), (), [x, v]);
+                let mut it = swing.start(Exact, [x, v]);
                 let tick = it.advance(h, &no_input, &mut Silent);
                 assert_eq!(tick.advance, Advance::Completed, "h {h}, from {x}, {v}");
                 let [x1, v1] = *it.state();

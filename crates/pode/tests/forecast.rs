@@ -9,69 +9,39 @@
 )]
 
 use pode::stepper::Rk4;
-use pode::{
-    Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
-    Nature, Reset, Resets, Silent, Simulator, Work,
-};
+use pode::{EquationKind, GuardSpec, GuardValue, Limits, Nature, Silent, Simulator, Work};
 
 use crate::common::head::{CONTACTS, Head};
-use crate::common::{G, no_input, run};
+use crate::common::{G, OneMode, no_input, run};
 
 /// A pendulum between a wall at its lowest point and seven more that it never reaches: angle (rad)
 /// and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Walled {
-    is_bounded: bool,
-}
-
-impl Model for Walled {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], -G * x[0].sin()]
-    }
-
-    fn nature(&self, (): ()) -> Nature {
-        Nature::new(EquationKind::Conservative, G.sqrt())
-    }
-}
-
-impl Guarded for Walled {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        const WALLS: [GuardSpec; 8] = {
-            let mut walls = [GuardSpec::new(0, "wall").of_state(); 8];
-            let mut n = 1;
-            while n < 8 {
-                walls[n] = GuardSpec::new(n as u8, "far wall").of_state();
-                n += 1;
-            }
-            walls
-        };
-        &WALLS
-    }
-
-    fn guard(&self, (): (), id: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
-        if id.0 == 0 { GuardValue::new(x[0], x[1]) } else { GuardValue::new(1.3 - x[0], -x[1]) }
-    }
-
-    fn guard_bound(&self, (): (), _: GuardId, over: &Enclosure<[f64; 2], ()>) -> GuardBound {
-        if self.is_bounded { over.entry(0) } else { GuardBound::UNKNOWN }
-    }
-}
-
-impl Resets for Walled {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        Reset::to((), [0.0, -0.9 * x[1]])
+fn walled(is_bounded: bool) -> OneMode<(), 2> {
+    const WALLS: [GuardSpec; 8] = {
+        let mut walls = [GuardSpec::new(0, "wall").of_state(); 8];
+        let mut n = 1;
+        while n < 8 {
+            walls[n] = GuardSpec::new(n as u8, "far wall").of_state();
+            n += 1;
+        }
+        walls
+    };
+    OneMode {
+        nature: Nature::new(EquationKind::Conservative, G.sqrt()),
+        guards: &WALLS,
+        guard: |(), id, x| match id.0 {
+            0 => GuardValue::new(x[0], x[1]),
+            _ => GuardValue::new(1.3 - x[0], -x[1]),
+        },
+        is_bounded,
+        reset: |(), _, x| [0.0, -0.9 * x[1]],
+        ..OneMode::new((), |(), x| [x[1], -G * x[0].sin()])
     }
 }
 
 /// Returns every event's time in 5 s at 1 ms, the work of the worst tick, and that of all.
 fn swing(is_bounded: bool) -> (Vec<f64>, Work, Work) {
-    let limits = Limits::default();
-    let mut pendulum = Simulator::new(Walled { is_bounded }, Rk4, limits, (), [1.2, 0.0]);
+    let mut pendulum = walled(is_bounded).start(Rk4, [1.2, 0.0]);
     let (recorder, ticks) = run(&mut pendulum, 1e-3, 0.0, 5.0);
     crate::common::all_completed(&ticks);
     let worst = ticks.iter().skip(1).max_by_key(|tick| tick.work.guards).expect("a tick");
@@ -142,9 +112,17 @@ fn an_expected_event_lies_at_a_steps_end_and_costs_no_more() {
 
 #[test]
 fn a_bound_that_is_exact_hides_nothing() {
+    const FLOOR: [GuardSpec; 1] = [GuardSpec::new(0, "floor").of_state().on_crossing()];
     // A parabola that touches its bound everywhere: thrown up so that it returns late.
+    let tossed = OneMode {
+        guards: &FLOOR,
+        guard: |(), _, x| GuardValue::new(x[0], x[1]),
+        is_bounded: true,
+        reset: |(), _, _| [0.0, 0.0],
+        ..OneMode::new((), |(), x| [x[1], if x[1] == 0.0 { 0.0 } else { -G }])
+    };
     for h in crate::common::STEPS {
-        let mut ball = Simulator::new(Tossed, Rk4, Limits::default(), (), [0.0, 9.81]);
+        let mut ball = tossed.start(Rk4, [0.0, 9.81]);
         let (recorder, ticks) = run(&mut ball, h, 0.0, 2.5);
         crate::common::all_completed(&ticks);
         assert_eq!(recorder.events().len(), 1, "h {h}");
@@ -154,46 +132,10 @@ fn a_bound_that_is_exact_hides_nothing() {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Tossed;
-
-impl Model for Tossed {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], if x[1] == 0.0 { 0.0 } else { -G }]
-    }
-}
-
-impl Guarded for Tossed {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        const FLOOR: [GuardSpec; 1] = [GuardSpec::new(0, "floor").of_state().on_crossing()];
-        &FLOOR
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
-        GuardValue::new(x[0], x[1])
-    }
-
-    fn guard_bound(&self, (): (), _: GuardId, over: &Enclosure<[f64; 2], ()>) -> GuardBound {
-        over.entry(0)
-    }
-}
-
-impl Resets for Tossed {
-    fn reset(&self, (): (), _: GuardId, _: &[f64; 2], (): &()) -> Reset<Self> {
-        Reset::to((), [0.0, 0.0])
-    }
-}
-
 #[test]
 fn nothing_is_forecast_where_that_is_switched_off() {
     let limits = Limits { forecast: false, ..Limits::default() };
-    let model = Walled { is_bounded: true };
-    let mut pendulum = Simulator::new(model, Rk4, limits, (), [1.2, 0.0]);
+    let mut pendulum = Simulator::new(walled(true), Rk4, limits, (), [1.2, 0.0]);
     let _ = pendulum.advance(1e-3, &no_input, &mut Silent);
     assert_eq!(pendulum.advance(1e-3, &no_input, &mut Silent).work.guards, 8);
 }

@@ -7,11 +7,10 @@ use pode::stepper::{
     Tsitouras5, VelocityVerlet,
 };
 use pode::{
-    Advance, Dense as _, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
-    Nature, Resets, Simulator, Stepper, Work,
+    Advance, Dense as _, EquationKind, GuardValue, Limits, Nature, Simulator, Stepper, Work,
 };
 
-use crate::common::{ON_CROSSING, no_input};
+use crate::common::{ON_CROSSING, OneMode, no_input};
 use crate::known::{
     OSCILLATOR, PENDULUM, Problem, check_order, distance, exact, first_step, global_error,
     largest_inside, step, whole_step,
@@ -88,33 +87,14 @@ fn dense_output_ends_where_the_step_does() {
     every!(check);
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Driven {
-    level: f64,
-}
-
-impl Model for Driven {
-    type Mode = ();
-    type State = [f64; 3];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 3], (): &()) -> [f64; 3] {
-        [x[1], (OSCILLATOR.acceleration)(x[2], &[x[0], x[1]]), 1.0]
+/// Returns the oscillator with its time as the third entry, and a guard that falls through `level`.
+fn driven(level: f64) -> OneMode<f64, 3> {
+    OneMode {
+        guards: &ON_CROSSING,
+        guard: |level, _, x| GuardValue::new(x[0] - level, x[1]),
+        ..OneMode::new(level, |_, x| [x[1], (OSCILLATOR.acceleration)(x[2], &[x[0], x[1]]), 1.0])
     }
 }
-
-impl Guarded for Driven {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        &ON_CROSSING
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 3], (): &()) -> GuardValue {
-        GuardValue::new(x[0] - self.level, x[1])
-    }
-}
-
-impl Resets for Driven {}
 
 /// Returns when q first falls through `level` (s), by bisection on the closed form.
 fn crossing(level: f64) -> f64 {
@@ -133,8 +113,7 @@ fn event_error<T: Stepper>(n: f64) -> f64 {
         let t = crossing(level);
         let h = t / (n + 0.5);
         let start = [exact(0.0)[0], exact(0.0)[1], 0.0];
-        let (driven, limits) = (Driven { level }, Limits::default());
-        let mut simulator = Simulator::new(driven, T::default(), limits, (), start);
+        let mut simulator = driven(level).start(T::default(), start);
         let mut recorder = pode::RunRecorder::new(h);
         while recorder.events().is_empty() {
             assert_eq!(simulator.advance(h, &no_input, &mut recorder).advance, Advance::Completed);
@@ -157,8 +136,7 @@ fn events_are_located_at_the_order_of_the_method() {
 
 fn work<T: Stepper>(steps: f64) -> [Work; 2] {
     let limits = Limits { longest_step: 1e-3 / steps, ..Limits::default() };
-    let mut simulator =
-        Simulator::new(Driven { level: -0.3 }, T::default(), limits, (), [0.5, 0.0, 0.0]);
+    let mut simulator = Simulator::new(driven(-0.3), T::default(), limits, (), [0.5, 0.0, 0.0]);
     // Guards are evaluated again in the first tick: the second is like later ones.
     let mut recorder = pode::RunRecorder::new(1e-3);
     [(); 2].map(|()| simulator.advance(1e-3, &no_input, &mut recorder).work)

@@ -1,19 +1,10 @@
 //! Properties of every ball, not only of those with known digits.
 
 use pode::stepper::Rk4;
-use pode::{
-    Advance, Energetic, EnergyAudit, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset,
-    Resets, RunRecorder, Simulator,
-};
+use pode::{Advance, Energetic, EnergyAudit, GuardSpec, GuardValue, Limits, RunRecorder};
 use proptest::prelude::*;
 
-use crate::common::{Ball, G, close, no_input};
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Balls {
-    guards: &'static [GuardSpec],
-    restitution: f64,
-}
+use crate::common::{Ball, G, ON_CROSSING, OneMode, close, no_input};
 
 const A: GuardSpec = GuardSpec::new(0, "a");
 const B: GuardSpec = GuardSpec::new(1, "b");
@@ -21,46 +12,24 @@ const C: GuardSpec = GuardSpec::new(2, "c");
 static ORDERS: [[GuardSpec; 3]; 6] =
     [[A, B, C], [A, C, B], [B, A, C], [B, C, A], [C, A, B], [C, B, A]];
 
-impl Model for Balls {
-    type Mode = ();
-    type State = [f64; 6];
-    type Input = ();
-    const COORDS: usize = 3;
-
-    fn derivative(&self, (): (), x: &[f64; 6], (): &()) -> [f64; 6] {
-        [x[3], x[4], x[5], -G, -G, -G]
-    }
-
-    fn readout(&self, (): (), x: &[f64; 6], (): &()) -> f64 {
-        x[0] + x[1] + x[2]
-    }
-}
-
-impl Guarded for Balls {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        self.guards
-    }
-
-    fn guard(&self, (): (), id: GuardId, x: &[f64; 6], (): &()) -> GuardValue {
-        let ball = usize::from(id.0);
-        GuardValue::new(x[ball], x[ball + 3])
-    }
-}
-
-impl Resets for Balls {
-    fn reset(&self, (): (), id: GuardId, x: &[f64; 6], (): &()) -> Reset<Self> {
-        let ball = usize::from(id.0);
-        let mut after = *x;
-        (after[ball], after[ball + 3]) = (0.0, -self.restitution * x[ball + 3]);
-        Reset::to((), after)
+/// Three balls over a floor, each with a guard.
+fn balls(guards: &'static [GuardSpec], restitution: f64) -> OneMode<f64, 6> {
+    OneMode {
+        readout: |_, x| x[0] + x[1] + x[2],
+        guards,
+        guard: |_, id, x| GuardValue::new(x[usize::from(id.0)], x[usize::from(id.0) + 3]),
+        reset: |restitution, id, x| {
+            let (ball, mut after) = (usize::from(id.0), *x);
+            (after[ball], after[ball + 3]) = (0.0, -restitution * x[ball + 3]);
+            after
+        },
+        ..OneMode::new(restitution, |_, x| [x[3], x[4], x[5], -G, -G, -G])
     }
 }
 
 fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<u64> {
     let [a, b, c] = heights;
-    let model = Balls { guards, restitution: e };
-    let start = [a, b, c, 0.0, 0.0, 0.0];
-    let mut balls = Simulator::new(model, Rk4, Limits::default(), (), start);
+    let mut balls = balls(guards, e).start(Rk4, [a, b, c, 0.0, 0.0, 0.0]);
     let mut recorder = RunRecorder::new(h);
     let readouts: Vec<u64> = (0..500)
         .map(|_| balls.advance(h, &no_input, &mut recorder).mean_readout.to_bits())
@@ -142,7 +111,15 @@ proptest! {
     #[test]
     fn a_wave_fires_once_per_fall(omega in 1.0..400.0, h in 1e-4..7e-3) {
         // ω h stays below 3: one fall per step at most, at every place of the step.
-        let mut wave = Simulator::new(Wave { omega }, Rk4, Limits::default(), (), [0.0]);
+        let wave = OneMode {
+            guards: &ON_CROSSING,
+            guard: |omega: &f64, _, x| {
+                let (sin, cos) = (omega * x[0]).sin_cos();
+                GuardValue::new(cos, -omega * sin)
+            },
+            ..OneMode::new(omega, |_, _| [1.0])
+        };
+        let mut wave = wave.start(Rk4, [0.0]);
         let mut recorder = RunRecorder::new(h);
         for _ in 0..400 {
             let _ = wave.advance(h, &no_input, &mut recorder);
@@ -152,33 +129,3 @@ proptest! {
         prop_assert_eq!(recorder.events().len(), falls);
     }
 }
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Wave {
-    omega: f64,
-}
-
-impl Model for Wave {
-    type Mode = ();
-    type State = [f64; 1];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), _: &[f64; 1], (): &()) -> [f64; 1] {
-        [1.0]
-    }
-}
-
-impl Guarded for Wave {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        const FALLS: [GuardSpec; 1] = [GuardSpec::new(0, "fall").on_crossing()];
-        &FALLS
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
-        let (sin, cos) = (self.omega * x[0]).sin_cos();
-        GuardValue::new(cos, -self.omega * sin)
-    }
-}
-
-impl Resets for Wave {}

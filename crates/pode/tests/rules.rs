@@ -8,7 +8,7 @@ use pode::{
 
 use pode::Stepper as _;
 
-use crate::common::{G, all_completed, close, run};
+use crate::common::{G, OneMode, all_completed, close, run};
 use crate::undeclared::Ball;
 
 #[derive(Clone, Copy, Debug)]
@@ -99,8 +99,7 @@ fn impacts_of_two_guards_that_come_to_rest_in_one_mode_settle() {
 fn a_reset_that_leaves_its_guard_falling_is_counted() {
     // A negative restitution is a sign error.
     for (restitution, ineffective) in [(0.8, 0), (-0.8, 1)] {
-        let ball = Ball { restitution, puts: true };
-        let mut ball = Simulator::new(ball, Rk4, Limits::default(), (), [1.0, 0.0]);
+        let mut ball = Ball { restitution, puts: true }.dropped(1.0);
         let (_, ticks) = run(&mut ball, 1e-3, 0.0, 0.6);
         all_completed(&ticks);
         let work = ticks.iter().fold(Work::default(), |sum, tick| sum.plus(tick.work));
@@ -241,34 +240,15 @@ fn whether_a_step_aims_at_an_event_is_a_question_of_the_mode() {
     assert_eq!(heun.name_in(&smooth), "heun");
 }
 
-/// x'' = −100 x, of which only the rate is declared.
-#[derive(Clone, Copy, Debug)]
-struct Swing;
-
-impl Model for Swing {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], -100.0 * x[0]]
-    }
-
-    fn nature(&self, (): ()) -> Nature {
-        Nature::new(EquationKind::Smooth, 10.0)
-    }
-}
-
-impl Guarded for Swing {}
-impl Resets for Swing {}
-
 #[test]
 fn by_need_gets_more_exact_with_a_shorter_step() {
+    // x'' = −100 x, with nothing declared but the rate.
+    let nature = Nature::new(EquationKind::Smooth, 10.0);
+    let swing = OneMode { nature, ..OneMode::new((), |(), x| [x[1], -100.0 * x[0]]) };
     for budget in [1e-3, 1e-4, 1e-6, 1e-9] {
         let errors = [4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4].map(|h| {
             let by_need = ByNeed::new(budget, 1e-3);
-            let mut swing = Simulator::new(Swing, by_need, Limits::default(), (), [1.0, 0.0]);
+            let mut swing = swing.start(by_need, [1.0, 0.0]);
             assert!(swing.run(1.0, h, |_| (), &mut Silent).is_completed());
             (swing.state()[0] - 10.0_f64.cos()).abs()
         });

@@ -1,13 +1,13 @@
 //! Taylor's method: its order, its tolerance, its events (case C3), and models without a series.
 
-use pode::series::{Expansion, INPUT_TERMS};
+use pode::series::Expansion;
 use pode::stepper::{Memory as _, Taylor, TaylorMemory, Tolerance};
 use pode::{
-    Dense as _, Field, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Resets,
-    RunRecorder, Silent, Simulator, Stepper as _,
+    Dense as _, Field, GuardSpec, GuardValue, Limits, Nature, RunRecorder, Silent, Simulator,
+    Stepper as _,
 };
 
-use crate::common::G;
+use crate::common::{G, OneMode};
 use crate::pendulum::{IMPACTS, Pendulum};
 
 const EXPANDED: Pendulum = Pendulum { has_wall: true, has_series: true };
@@ -143,56 +143,35 @@ fn a_pendulum_keeps_its_energy_for_a_thousand_swings() {
     assert!(drift < 1e-12, "{drift:e}");
 }
 
-/// A gap that is a parabola in time: it dips to −depth at 0.123456789 s.
-#[derive(Clone, Copy, Debug)]
-struct Graze {
-    depth: f64,
-}
-
 const LOWEST: f64 = 0.123_456_789;
 
-impl Model for Graze {
-    type Mode = ();
-    type State = [f64; 1];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), _: &[f64; 1], (): &()) -> [f64; 1] {
-        [1.0]
+/// Returns a gap that is a parabola in time: it dips to −`depth` at [`LOWEST`].
+fn graze(depth: f64) -> OneMode<f64, 1> {
+    OneMode {
+        guards: const { &[GuardSpec::new(0, "gap").on_crossing()] },
+        guard: |depth, _, x| {
+            let from = x[0] - LOWEST;
+            GuardValue::new(10.0 * (from * from - depth), 20.0 * from)
+        },
+        series: Some(|depth, out| {
+            let from = out.terms[0][0] - LOWEST;
+            for k in 1..=out.order {
+                out.terms[k] = [if k == 1 { out.scale } else { 0.0 }];
+                out.guards[0][k] = 0.0;
+            }
+            out.guards[0][0] = 10.0 * (from * from - depth);
+            out.guards[0][1] = 20.0 * from * out.scale;
+            out.guards[0][2] = 10.0 * out.scale * out.scale;
+            out.known_guards = 1;
+        }),
+        ..OneMode::new(depth, |_, _| [1.0])
     }
 }
-
-impl Guarded for Graze {
-    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 1]>) -> bool {
-        let from = out.terms[0][0] - LOWEST;
-        for k in 1..=out.order {
-            out.terms[k] = [if k == 1 { out.scale } else { 0.0 }];
-            out.guards[0][k] = 0.0;
-        }
-        out.guards[0][0] = 10.0 * (from * from - self.depth);
-        out.guards[0][1] = 20.0 * from * out.scale;
-        out.guards[0][2] = 10.0 * out.scale * out.scale;
-        out.known_guards = 1;
-        true
-    }
-
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        const { &[GuardSpec::new(0, "gap").on_crossing()] }
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
-        let from = x[0] - LOWEST;
-        GuardValue::new(10.0 * (from * from - self.depth), 20.0 * from)
-    }
-}
-
-impl Resets for Graze {}
 
 #[test]
 fn a_graze_is_seen_in_a_step_that_is_a_million_times_longer() {
     for depth in [1e-4, 1e-6, 1e-8, 1e-10, -1e-4, -1e-8] {
-        let limits = Limits::default();
-        let mut graze = Simulator::new(Graze { depth }, Taylor::default(), limits, (), [0.0]);
+        let mut graze = graze(depth).start(Taylor::default(), [0.0]);
         let mut recorder = RunRecorder::new(1.0);
         assert!(graze.run(1.0, 1.0, |_| (), &mut recorder).is_completed());
         let times = recorder.times_of("gap");
@@ -206,41 +185,25 @@ fn a_graze_is_seen_in_a_step_that_is_a_million_times_longer() {
     }
 }
 
-/// x' = way (1 + max(x, 0)): a straight line below zero, an exponential above it.
-#[derive(Clone, Copy, Debug)]
-struct Bent {
-    way: f64,
-}
-
-impl Model for Bent {
-    type Mode = ();
-    type State = [f64; 1];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 1], (): &()) -> [f64; 1] {
-        [self.way * (1.0 + x[0].max(0.0))]
+/// Returns x' = `way` (1 + max(x, 0)): a straight line below zero, an exponential above it.
+fn bent(way: f64) -> OneMode<f64, 1> {
+    OneMode {
+        series: Some(|way, out| {
+            let is_above = out.terms[0][0] > 0.0;
+            for k in 0..out.order {
+                let above = if is_above { out.terms[k][0] } else { 0.0 };
+                let one = if k == 0 { 1.0 } else { 0.0 };
+                let rate = way * (one + above);
+                out.terms[k + 1] = [out.scale * rate / (k + 1) as f64];
+            }
+            for k in 0..=out.order {
+                out.conditions[0][k] = out.terms[k][0];
+            }
+            out.known_conditions = 1;
+        }),
+        ..OneMode::new(way, |way, x| [way * (1.0 + x[0].max(0.0))])
     }
 }
-
-impl Guarded for Bent {
-    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 1]>) -> bool {
-        let is_above = out.terms[0][0] > 0.0;
-        for k in 0..out.order {
-            let above = if is_above { out.terms[k][0] } else { 0.0 };
-            let one = if k == 0 { 1.0 } else { 0.0 };
-            let rate = self.way * (one + above);
-            out.terms[k + 1] = [out.scale * rate / (k + 1) as f64];
-        }
-        for k in 0..=out.order {
-            out.conditions[0][k] = out.terms[k][0];
-        }
-        out.known_conditions = 1;
-        true
-    }
-}
-
-impl Resets for Bent {}
 
 #[test]
 fn a_step_ends_where_the_equations_change_their_form() {
@@ -249,7 +212,7 @@ fn a_step_ends_where_the_equations_change_their_form() {
     for (way, from) in [(1.0, -1.0), (-1.0, e - 1.0)] {
         for h in [3.0, 0.7, 0.1, 1.0] {
             let method = Taylor::to(Tolerance::both(1e-14));
-            let mut bent = Simulator::new(Bent { way }, method, Limits::default(), (), [from]);
+            let mut bent = bent(way).start(method, [from]);
             let ticks = (3.0_f64 / h).floor();
             let report = bent.run(ticks * h, h, |_| (), &mut Silent);
             assert!(report.is_completed());

@@ -2,12 +2,9 @@
 //! and the ticks report that they stopped.
 
 use pode::stepper::Rk4;
-use pode::{
-    Advance, Cap, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Silent,
-    Simulator,
-};
+use pode::{Advance, Cap, GuardValue, Silent, Simulator};
 
-use crate::common::{G, STEPS, no_input};
+use crate::common::{G, ONE, OneMode, STEPS, no_input};
 
 /// A ball over a floor whose model names no mode of rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,38 +14,21 @@ pub struct Ball {
     pub puts: bool,
 }
 
-impl Model for Ball {
-    type Mode = ();
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], -G]
-    }
-}
-
-impl Guarded for Ball {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        const FLOOR: [GuardSpec; 1] = [GuardSpec::new(0, "floor")];
-        &FLOOR
-    }
-
-    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
-        GuardValue::new(x[0], x[1])
-    }
-}
-
-impl Resets for Ball {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        let place = if self.puts { 0.0 } else { x[0] };
-        Reset::to((), [place, -self.restitution * x[1]])
+impl Ball {
+    pub fn dropped(self, height: f64) -> Simulator<OneMode<Self, 2>, Rk4> {
+        let ball = OneMode {
+            guards: &ONE,
+            guard: |_, _, x| GuardValue::new(x[0], x[1]),
+            reset: |it: &Self, _, x| [if it.puts { 0.0 } else { x[0] }, -it.restitution * x[1]],
+            ..OneMode::new(self, |_, x| [x[1], -G])
+        };
+        ball.start(Rk4, [height, 0.0])
     }
 }
 
 #[track_caller]
 fn check(ball: Ball, height: f64, h: f64) {
-    let mut it = Simulator::new(ball, Rk4, Limits::default(), (), [height, 0.0]);
+    let mut it = ball.dropped(height);
     let fall = (2.0 * height / G).sqrt();
     let rest = fall * (1.0 + ball.restitution) / (1.0 - ball.restitution);
     let mut last = Advance::Completed;

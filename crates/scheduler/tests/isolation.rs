@@ -36,11 +36,6 @@ fn a_fault_stays_with_its_key_also_where_nobody_noticed_that_a_force_is_nan() {
 }
 
 #[test]
-fn a_key_whose_samples_are_lost_stays_alone() {
-    check_neighbours(|rig| rig.bus.key_40_silent = 60..90);
-}
-
-#[test]
 fn a_fault_is_counted_in_the_tick_in_which_it_happens() {
     let mut rig = Rig::new();
     rig.slots[40] = failing(Failure::Unnoticed);

@@ -63,18 +63,6 @@ fn a_voice_that_keeps_failing_is_silent_for_good() {
 }
 
 #[test]
-fn lost_samples_are_bridged_then_held_then_faded() {
-    let mut rig = Rig::new();
-    rig.bus.key_40_silent = 60..90;
-    let felt = felt(rig);
-    check_steps(&felt);
-    assert!(felt[60].to_bits() != felt[59].to_bits(), "the voice bridges the first tick");
-    assert!(felt[61].to_bits() == felt[60].to_bits(), "the second is held");
-    assert!(felt[61 + SILENT..90].iter().all(|force| force.abs() == 0.0));
-    assert!(felt[120..].iter().any(|force| 0.1 < force.abs()), "the voice is back");
-}
-
-#[test]
 fn a_voice_that_is_back_is_felt_as_if_nothing_had_been() {
     let mut healthy = Rig::new();
     let mut disturbed = Rig::new();

@@ -4,7 +4,6 @@
 //! `ip link add vcan0 type vcan && ip link set vcan0 up`. Some parts take it down and up again.
 #![cfg(target_os = "linux")]
 
-use std::io::Write as _;
 use std::process::Command;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -15,9 +14,8 @@ use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
 use socketcan::{CanErrorFrame, CanFdSocket, Socket as _};
 
-const PATIENCE: Duration = Duration::from_secs(20);
-/// Minimum polls before a wait fails.
-const TRIES: u32 = 200_000;
+use super::serial_pty::{number, soon, tell};
+
 const MODES: [CanMode; 2] = [CanMode::Fd, CanMode::Classic];
 
 /// One test, since all parts share one interface and leave it as they found it.
@@ -231,28 +229,9 @@ fn samples(board: u8, number: u32) -> Vec<u8> {
     frame
 }
 
-fn number(frame: &[u8]) -> u32 {
-    let bytes = frame.get(1..).and_then(<[u8]>::first_chunk).expect("a frame with a number");
-    u32::from_le_bytes(*bytes)
-}
-
 fn recv(link: &mut Can) -> Result<Option<Vec<u8>>, RecvError> {
     let mut buffer = [0; MAX_FRAME];
     Ok(link.try_recv(&mut buffer)?.map(|len| buffer[..len].to_vec()))
-}
-
-/// Polls until there is an answer, and longer on a machine that stood still.
-#[track_caller]
-fn soon<T>(mut ask: impl FnMut() -> Option<T>) -> T {
-    let (start, mut tries) = (Instant::now(), 0);
-    while start.elapsed() < PATIENCE || tries < TRIES {
-        if let Some(answer) = ask() {
-            return answer;
-        }
-        tries += 1;
-        thread::yield_now();
-    }
-    ask().expect("it comes in time")
 }
 
 fn ip(arguments: &[&str]) -> bool {
@@ -262,8 +241,4 @@ fn ip(arguments: &[&str]) -> bool {
 /// Returns `true` if the program succeeded.
 fn run(program: &str, arguments: &[&str]) -> bool {
     Command::new(program).args(arguments).status().is_ok_and(|status| status.success())
-}
-
-fn tell(what: &str) {
-    let _unheard = writeln!(std::io::stderr(), "{what}");
 }

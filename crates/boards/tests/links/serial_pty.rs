@@ -64,7 +64,7 @@ fn eight_boards_at_1_khz_answer_every_frame_in_order() {
     }
     assert_eq!(heard, [FRAMES; BOARDS]);
     tell(&format!(
-        "8 boards on pseudo-terminals: {:.0} frames/s each way and board, {waits} times full, {}",
+        "MEASURED: 8 boards on pseudo-terminals: {:.0} frames/s each way and board, {waits} times full, {}",
         f64::from(answers) / BOARDS as f64 / seconds,
         quantiles(trips)
     ));
@@ -165,7 +165,7 @@ fn on_a_wire_that_loses_bytes_every_frame_that_arrives_was_sent_and_the_next_is_
     while listen() {}
     let (lost_bytes, lost_frames) = (wire.counts().lost, u64::from(FRAMES) - arrived);
     tell(&format!(
-        "0.1 % of bytes lost: {lost_bytes} of {sent} bytes, {lost_frames} of {FRAMES} frames"
+        "MEASURED: 0.1 % of bytes lost: {lost_bytes} of {sent} bytes, {lost_frames} of {FRAMES} frames"
     ));
     // Five standard deviations of a binomial with n p q = 205.
     assert!(lost_bytes.abs_diff(sent / 1_000) < 72, "{lost_bytes}");
@@ -200,14 +200,14 @@ fn numbered(number: u32) -> [u8; LEN] {
     frame
 }
 
-fn number(frame: &[u8]) -> u32 {
+pub(super) fn number(frame: &[u8]) -> u32 {
     let bytes = frame.get(1..).and_then(<[u8]>::first_chunk).expect("a frame with a number");
     u32::from_le_bytes(*bytes)
 }
 
 /// Polls until there is an answer, and longer on a machine that stood still.
 #[track_caller]
-fn soon<T>(mut ask: impl FnMut() -> Option<T>) -> T {
+pub(super) fn soon<T>(mut ask: impl FnMut() -> Option<T>) -> T {
     let (start, mut tries) = (Instant::now(), 0);
     while start.elapsed() < PATIENCE || tries < TRIES {
         if let Some(answer) = ask() {
@@ -298,6 +298,6 @@ fn quantiles(mut trips: Vec<Duration>) -> String {
     format!("round trip p50 {half} us, p99 {most} us")
 }
 
-fn tell(what: &str) {
-    let _unheard = writeln!(std::io::stderr(), "MEASURED: {what}");
+pub(super) fn tell(what: &str) {
+    let _unheard = writeln!(std::io::stderr(), "{what}");
 }

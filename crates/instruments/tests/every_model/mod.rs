@@ -1,9 +1,9 @@
-//! Does one check with each of the paper's models and their neighbours.
+//! The paper's models and their neighbours.
 
 use std::path::Path;
 use std::sync::Arc;
 
-use instruments::LoadedModel;
+use instruments::{LoadedModel, SmallModel};
 use mechanism::Library;
 
 /// Loads the models whose folders are beside these tests.
@@ -24,20 +24,7 @@ pub(crate) fn named(name: &str) -> Arc<LoadedModel> {
     model.unwrap_or_else(|missing| panic!("{}", missing.rendered()))
 }
 
-/// Calls the generic function `check` with each model, with the values of its default preset.
-macro_rules! with_all {
-    ($check:ident) => {{
-        struct Check;
-        impl instruments::Visitor for Check {
-            type Output = ();
-            fn visit<M: instruments::Playable>(self, model: M) {
-                $check(model);
-            }
-        }
-        for model in crate::every_model::all() {
-            model.visit(Check);
-        }
-    }};
+/// Returns each model, with the values of its default preset.
+pub(crate) fn small() -> impl Iterator<Item = SmallModel> {
+    all().map(|it| it.small().expect("a small model"))
 }
-
-pub(crate) use with_all;

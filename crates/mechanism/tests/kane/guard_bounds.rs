@@ -5,11 +5,9 @@
 
 use instruments::equations::ModeNumber;
 use pode::input::Cubic;
-use pode::{
-    Dense as _, DenseBounds, Enclosure, GuardSpec, Guarded as _, Model as _, Polynomial,
-    Signal as _, State as _,
-};
+use pode::{GuardSpec, Guarded as _, Model as _, Signal as _};
 
+use crate::kane::bounds::{Motions, SQUARE, seen};
 use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{Runnable, ShippedModel, built_in, modes};
 use crate::kane::stroke::still;
@@ -17,15 +15,6 @@ use crate::kane::stroke::still;
 const N: usize = 4;
 
 type Model = Runnable<N>;
-
-const LOOKS: usize = 64;
-
-/// Motion over one step: the state's cubic and the input's.
-struct Motions {
-    h: f64,
-    orbit: Polynomial<[f64; N], 4>,
-    input: Cubic,
-}
 
 /// Choice of random steps.
 #[derive(Clone, Copy)]
@@ -36,26 +25,22 @@ enum Steps {
     Played,
 }
 
-/// Returns a random step of `model` in `mode`, with the state at its start.
-fn step(
-    model: &Model,
-    mode: ModeNumber,
-    steps: Steps,
-    numbers: &mut Numbers,
-) -> ([f64; N], Motions) {
+/// Returns a random step of `model` in `mode`.
+fn step(model: &Model, mode: ModeNumber, steps: Steps, numbers: &mut Numbers) -> Motions<N> {
     let (wildest, left_out) = match steps {
         Steps::Any => (0.7, 0.5),
         Steps::Played => (-0.5, 0.0),
     };
-    let wild = 10.0_f64.powf(between(numbers, -2.0, wildest));
+    let wild = 10.0_f64.powf(numbers.between(-2.0, wildest));
     let part = |numbers: &mut Numbers| {
-        let part = between(numbers, -0.5, 1.0);
-        if between(numbers, 0.0, 1.0) < left_out { 0.0 } else { part }
+        let part = numbers.between(-0.5, 1.0);
+        if numbers.between(0.0, 1.0) < left_out { 0.0 } else { part }
     };
-    let h = 10.0_f64.powf(between(numbers, -4.3, -2.7));
+    let h = 10.0_f64.powf(numbers.between(-4.3, -2.7));
     let span = 0.01 * model.input_per_metre();
     let c = [1.0, 100.0 * h * wild, 1e4 * h * h * wild, 1e6 * h * h * h * wild];
-    let input = Cubic::new(c.map(|c| span * c * part(numbers)), h);
+    let driven = c.map(|c| span * c * part(numbers));
+    let input = Cubic::new(driven, h);
     let mut x = model.at_rest(&still(input.at(0.0).position)).1;
     let states = model.table().states.len();
     for entry in &mut x[..states] {
@@ -69,8 +54,7 @@ fn step(
             *entry = fast * wild * (100.0 * h).powi(power) * 0.01 * part(numbers);
         }
     }
-    let end = terms.iter().fold(<[f64; N]>::ZERO, |sum, term| sum.plus(1.0, term));
-    (x, Motions { h, orbit: Polynomial::new(terms, end), input })
+    Motions::new(h, terms, driven)
 }
 
 /// Moves and bend of a guard over a step, and the model's bounds.
@@ -81,33 +65,14 @@ struct Found {
     rounding: [f64; 2],
 }
 
-fn follow(
-    (model, mode): (&Model, ModeNumber),
-    guard: &GuardSpec,
-    start: [f64; N],
-    step: &Motions,
-) -> Found {
-    let DenseBounds { moves, speeds, bends } = step.orbit.bounds().expect("a polynomial's");
-    let input = step.input.bound(0.0, 1.0);
-    let input_start = step.input.at(0.0);
-    let over = Enclosure { h: step.h, start, moves, speeds, bends, input_start, input };
-    let bound = model.guard_bound(mode, guard.id, &over);
-    let at = |tau: f64| {
-        let input = step.input.at(tau);
-        let x = model.constrain(mode, &step.orbit.at(tau), &input);
-        model.guard(mode, guard.id, &x, &input).value
-    };
-    let values: Vec<f64> = (0..=LOOKS).map(|i| at(i as f64 / LOOKS as f64)).collect();
-    let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-    let moved = most(&mut values.iter().map(|value| (value - values[0]).abs()));
-    let square = (LOOKS * LOOKS) as f64;
-    let second = |w: &[f64]| square * (w[2] - 2.0 * w[1] + w[0]).abs();
-    let bent = most(&mut values.windows(3).map(second));
-    let size = most(&mut values.iter().map(|value| value.abs())) + guard.scale;
+fn follow((model, mode): (&Model, ModeNumber), guard: &GuardSpec, step: &Motions<N>) -> Found {
+    let bound = model.guard_bound(mode, guard.id, &step.enclosure());
+    let [moved, bent, size] = seen(&step.values(model, mode, guard.id));
+    let rounding = 1e-14 * (size + guard.scale);
     Found {
         seen: [moved, bent],
         allowed: [bound.moves, bound.bend],
-        rounding: [1e-14 * size, 1e-14 * size * 4.0 * square],
+        rounding: [rounding, rounding * 4.0 * SQUARE],
     }
 }
 
@@ -121,14 +86,10 @@ fn varied(
     let mut values = shipped.values(preset, key);
     for (value, parameter) in values.iter_mut().zip(&shipped.table.parameters) {
         let (low, high) = parameter.range;
-        let varied = *value * spread.mul_add(between(numbers, -0.9, 2.0), 1.0);
+        let varied = *value * spread.mul_add(numbers.between(-0.9, 2.0), 1.0);
         *value = varied.max(low).min(high);
     }
     shipped.valued(&values)
-}
-
-fn between(numbers: &mut Numbers, low: f64, high: f64) -> f64 {
-    low + (high - low) * 0.5 * (1.0 + numbers.next())
 }
 
 /// Checks random steps of every guard, mode and preset on two keys, with and without varied values.
@@ -159,8 +120,8 @@ fn every_step(
     for (mode, name, guard) in modes(model).flat_map(guards) {
         let label = format!("{} {preset} {name} {}", model.table().name, guard.name);
         for _ in 0..n {
-            let (start, step) = step(model, mode, steps, numbers);
-            check(&label, &follow((model, mode), guard, start, &step));
+            let step = step(model, mode, steps, numbers);
+            check(&label, &follow((model, mode), guard, &step));
         }
     }
 }

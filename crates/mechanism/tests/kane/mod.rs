@@ -22,7 +22,6 @@ mod oracle;
 mod passivity;
 mod plain_equations;
 mod playable;
-mod rates;
 mod readable;
 mod reference;
 mod resting;

@@ -114,6 +114,7 @@ fn ball() -> EquationSystem {
         unit: "1".to_owned(),
         range: (0.0, 1.0),
         doc: String::new(),
+        reading: instruments::Reading::default(),
     };
     let name = |name: &str| (name.to_owned(), "m".to_owned(), (0.0, 1.0));
     let ((coordinate, unit, range), (speed, speed_unit, speed_range)) = (name("y"), name("y'"));

@@ -100,11 +100,6 @@ impl<M: Resets> AuditedRun<M> {
     pub fn names(&self) -> Vec<&'static str> {
         self.events.iter().map(|event| event.name).collect()
     }
-
-    /// Returns the spread of the energy over the run (J).
-    pub fn spread(&self) -> f64 {
-        self.energies.0 - self.energies.1
-    }
 }
 
 impl<M: Resets<Input = Motion> + Energetic> Watch<M> for AuditedRun<M> {

@@ -3,13 +3,57 @@ use pode::contacts::{ContactState, WithContacts};
 use pode::stepper::Rk4;
 use pode::{Auditor, Energetic as _, Guarded as _, Limits, Motion, RunRecorder, Simulator};
 
-use crate::kane::by_hand::touching;
-use crate::kane::runnable::{Runnable, runnable};
+use crate::kane::runnable::{Run, described, model as built};
+
+/// Returns a mass of one coordinate, with these forces and contacts in its only mode.
+fn mass(text: &str) -> Run<2> {
+    let text = format!(
+        r#"
+name = "mass"
+summary = "a mass that touches"
+{text}
+[input]
+name = "s"
+unit = "m"
+per_metre = "1"
+
+[modes.only]
+
+[rest]
+mode = "only"
+"#
+    );
+    built(described(&text), (0, 0))
+}
+
+fn falling() -> Run<2> {
+    mass(
+        r#"
+gravity = ["0", "-9.81 m/s^2"]
+coordinates.y = { unit = "m", range = ["-1 m", "1 m"], speed_range = ["-10 m/s", "10 m/s"] }
+frames.mass = { in = "ground", origin = ["0 m", "y"] }
+bodies.mass = { frame = "mass", mass = "2 kg" }
+contacts.spring = { gap = "y", stiffness = "5 kN/m" }
+"#,
+    )
+}
+
+/// Returns a mass on a bearing, drawn through a spring by the input.
+fn drawn() -> Run<2> {
+    mass(
+        r#"
+coordinates.x = { unit = "m", range = ["-1 m", "1 m"], speed_range = ["-10 m/s", "10 m/s"] }
+frames.mass = { in = "ground", origin = ["x", "0 m"] }
+bodies.mass = { frame = "mass", mass = "0.5 kg" }
+springs.spring = { stretch = "s - x", stiffness = "80 N/m" }
+frictions.bearing = { slip = "x'", stiction = "2 N", kinetic = "1.5 N" }
+"#,
+    )
+}
 
 #[test]
 fn a_mass_stays_on_its_spring_for_the_time_of_the_closed_form() {
-    let described: Runnable<2> = runnable(touching::falling(), &[]);
-    let model = WithContacts::new(described).unwrap();
+    let model = WithContacts::new(falling()).unwrap();
     let still = Motion::default();
     let (mode, x) = model.start(ModeNumber(0), &[0.1, 0.0], &still);
     assert!(!mode.contacts.is_closed(0));
@@ -36,8 +80,7 @@ fn a_mass_stays_on_its_spring_for_the_time_of_the_closed_form() {
 
 #[test]
 fn the_step_on_a_contact_is_that_of_its_stiffness() {
-    let described: Runnable<2> = runnable(touching::falling(), &[]);
-    let model = WithContacts::new(described).unwrap();
+    let model = WithContacts::new(falling()).unwrap();
     let still = Motion::default();
     let (open, x) = model.start(ModeNumber(0), &[0.1, 0.0], &still);
     let closed = open.with(0, ContactState::Closed);
@@ -51,8 +94,7 @@ fn the_step_on_a_contact_is_that_of_its_stiffness() {
 
 #[test]
 fn a_bearing_sticks_and_slips_as_the_closed_form_does() {
-    let described: Runnable<2> = runnable(touching::drawn(), &[]);
-    let model = WithContacts::new(described).unwrap();
+    let model = WithContacts::new(drawn()).unwrap();
     let speed = 0.05;
     let input = |t: f64| Motion { position: speed * t, rate: speed, ..Motion::default() };
     let (mode, x) = model.start(ModeNumber(0), &[0.0, 0.0], &input(0.0));
@@ -78,11 +120,9 @@ fn a_bearing_sticks_and_slips_as_the_closed_form_does() {
 /// with a bearing that holds, and slips each way.
 #[test]
 fn a_balance_is_its_three_numbers() {
-    let (falling, drawn): (Runnable<2>, Runnable<2>) =
-        (runnable(touching::falling(), &[]), runnable(touching::drawn(), &[]));
     let input = Motion { position: 0.02, rate: 0.3, ..Motion::default() };
     let frictions = [ContactState::Stick, ContactState::SlideUp, ContactState::SlideDown];
-    let cases = [(falling, &[ContactState::Closed][..]), (drawn, &frictions[..])];
+    let cases = [(falling(), &[ContactState::Closed][..]), (drawn(), &frictions[..])];
     for (described, states) in cases {
         let model = WithContacts::new(described).unwrap();
         let (open, _) = model.start(ModeNumber(0), &[0.1, 0.0], &input);

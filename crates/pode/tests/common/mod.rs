@@ -3,10 +3,11 @@
 pub mod head;
 pub mod stick_slip;
 
+use pode::series::{Expansion, INPUT_TERMS};
 use pode::stepper::Rk4;
 use pode::{
-    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Nature,
-    Reset, Resets, RunRecorder, Settling, Simulator, Stepper, Tick,
+    Advance, Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Limits,
+    Model, Motion, Nature, Reset, Resets, RunRecorder, Settling, Simulator, Stepper, Tick,
 };
 
 pub const G: f64 = 9.81;
@@ -140,6 +141,87 @@ impl Resets for Ball {
     }
 }
 
+/// Writes the Taylor series of a state.
+type SeriesOf<P, const N: usize> = fn(&P, &mut Expansion<[f64; N]>);
+
+/// A model of one mode without input, as functions of `of`; [`OneMode::new`] has no guards.
+#[derive(Clone, Copy, Debug)]
+pub struct OneMode<P, const N: usize> {
+    pub of: P,
+    pub derivative: fn(&P, &[f64; N]) -> [f64; N],
+    pub readout: fn(&P, &[f64; N]) -> f64,
+    pub nature: Nature,
+    pub guards: &'static [GuardSpec],
+    pub guard: fn(&P, GuardId, &[f64; N]) -> GuardValue,
+    /// `true` if the guards move and bend as the first entry does, and say so.
+    pub is_bounded: bool,
+    pub reset: fn(&P, GuardId, &[f64; N]) -> [f64; N],
+    pub series: Option<SeriesOf<P, N>>,
+}
+
+impl<P, const N: usize> OneMode<P, N> {
+    pub fn new(of: P, derivative: fn(&P, &[f64; N]) -> [f64; N]) -> Self {
+        Self {
+            of,
+            derivative,
+            readout: |_, _| 0.0,
+            nature: Nature::default(),
+            guards: &[],
+            guard: |_, _, _| unreachable!("no guards"),
+            is_bounded: false,
+            reset: |_, _, x| *x,
+            series: None,
+        }
+    }
+
+    pub fn start<T: Stepper>(self, stepper: T, x: [f64; N]) -> Simulator<Self, T> {
+        Simulator::new(self, stepper, Limits::default(), (), x)
+    }
+}
+
+impl<P, const N: usize> Model for OneMode<P, N> {
+    type Mode = ();
+    type State = [f64; N];
+    type Input = ();
+    const COORDS: usize = if N > 1 { N / 2 } else { N };
+
+    fn derivative(&self, (): (), x: &[f64; N], (): &()) -> [f64; N] {
+        (self.derivative)(&self.of, x)
+    }
+
+    fn readout(&self, (): (), x: &[f64; N], (): &()) -> f64 {
+        (self.readout)(&self.of, x)
+    }
+
+    fn nature(&self, (): ()) -> Nature {
+        self.nature
+    }
+}
+
+impl<P, const N: usize> Guarded for OneMode<P, N> {
+    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; N]>) -> bool {
+        self.series.map(|expand| expand(&self.of, out)).is_some()
+    }
+
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        self.guards
+    }
+
+    fn guard(&self, (): (), id: GuardId, x: &[f64; N], (): &()) -> GuardValue {
+        (self.guard)(&self.of, id, x)
+    }
+
+    fn guard_bound(&self, (): (), _: GuardId, over: &Enclosure<[f64; N], ()>) -> GuardBound {
+        if self.is_bounded { over.entry(0) } else { GuardBound::UNKNOWN }
+    }
+}
+
+impl<P, const N: usize> Resets for OneMode<P, N> {
+    fn reset(&self, (): (), id: GuardId, x: &[f64; N], (): &()) -> Reset<Self> {
+        Reset::to((), (self.reset)(&self.of, id, x))
+    }
+}
+
 /// Time as the only state: x' = 1, with guards that are functions of it.
 #[derive(Clone, Copy)]
 pub struct Timed {
@@ -164,6 +246,24 @@ impl PartialEq for Timed {
 impl Timed {
     pub fn start(self) -> Simulator<Self, Rk4> {
         Simulator::new(self, Rk4, Limits::default(), true, [0.0; 3])
+    }
+
+    /// Asserts the times of the events of one second, in each of these numbers of ticks.
+    #[track_caller]
+    pub fn check_times(self, what: &str, ticks: [u32; 4], expected: &[f64], tolerance: f64) {
+        for n in ticks {
+            let h = 1.0 / f64::from(n);
+            let (mut timed, mut recorder) = (self.start(), RunRecorder::new(h));
+            for _ in 0..n {
+                let tick = timed.advance(h, &no_input, &mut recorder);
+                assert_eq!(tick.advance, Advance::Completed, "{what}, {n} ticks");
+            }
+            let times = recorder.times();
+            assert_eq!(times.len(), expected.len(), "{what}, {n} ticks: {times:?}");
+            for (t, expected) in times.iter().zip(expected) {
+                close(format_args!("{what}, {n} ticks"), *t, *expected, tolerance);
+            }
+        }
     }
 }
 

@@ -5,6 +5,8 @@ mod dop853;
 mod rk4;
 mod root;
 mod stages;
+// The numbers of Hairer's program, once: those of pode's own method.
+#[path = "../../../../../crates/pode/src/stepper/dop853/tableau.rs"]
 mod tableau;
 
 pub(crate) use root::falling;

@@ -15,17 +15,17 @@ pub(super) fn step<const N: usize>(
     h: f64,
     k: &mut Stages<N>,
 ) -> [f64; N] {
-    k[1] = f(time + t::C[1] * h, &combine(x, h, k, t::A1));
-    k[2] = f(time + t::C[2] * h, &combine(x, h, k, t::A2));
-    k[3] = f(time + t::C[3] * h, &combine(x, h, k, t::A3));
-    k[4] = f(time + t::C[4] * h, &combine(x, h, k, t::A4));
-    k[5] = f(time + t::C[5] * h, &combine(x, h, k, t::A5));
-    k[6] = f(time + t::C[6] * h, &combine(x, h, k, t::A6));
-    k[7] = f(time + t::C[7] * h, &combine(x, h, k, t::A7));
-    k[8] = f(time + t::C[8] * h, &combine(x, h, k, t::A8));
-    k[9] = f(time + t::C[9] * h, &combine(x, h, k, t::A9));
-    k[10] = f(time + t::C[10] * h, &combine(x, h, k, t::A10));
-    k[11] = f(time + t::C[11] * h, &combine(x, h, k, t::A11));
+    k[1] = f(time + t::NODES[1] * h, &combine(x, h, k, t::A1));
+    k[2] = f(time + t::NODES[2] * h, &combine(x, h, k, t::A2));
+    k[3] = f(time + t::NODES[3] * h, &combine(x, h, k, t::A3));
+    k[4] = f(time + t::NODES[4] * h, &combine(x, h, k, t::A4));
+    k[5] = f(time + t::NODES[5] * h, &combine(x, h, k, t::A5));
+    k[6] = f(time + t::NODES[6] * h, &combine(x, h, k, t::A6));
+    k[7] = f(time + t::NODES[7] * h, &combine(x, h, k, t::A7));
+    k[8] = f(time + t::NODES[8] * h, &combine(x, h, k, t::A8));
+    k[9] = f(time + t::NODES[9] * h, &combine(x, h, k, t::A9));
+    k[10] = f(time + t::NODES[10] * h, &combine(x, h, k, t::A10));
+    k[11] = f(time + t::NODES[11] * h, &combine(x, h, k, t::A11));
     combine(x, h, k, t::B)
 }
 
@@ -87,9 +87,9 @@ impl<const N: usize> Dense<N> {
         h: f64,
         k: &mut Stages<N>,
     ) -> Self {
-        k[13] = f(time + t::C[13] * h, &combine(x, h, k, t::A13));
-        k[14] = f(time + t::C[14] * h, &combine(x, h, k, t::A14));
-        k[15] = f(time + t::C[15] * h, &combine(x, h, k, t::A15));
+        k[13] = f(time + t::NODES[13] * h, &combine(x, h, k, t::A13));
+        k[14] = f(time + t::NODES[14] * h, &combine(x, h, k, t::A14));
+        k[15] = f(time + t::NODES[15] * h, &combine(x, h, k, t::A15));
         let zero = [0.0; N];
         let change: [f64; N] = std::array::from_fn(|i| end[i] - x[i]);
         let terms = [

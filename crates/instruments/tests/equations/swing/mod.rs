@@ -5,7 +5,8 @@ use std::sync::LazyLock;
 use instruments::equations::table::{
     Arguments, AutomatonTable, ConstantTable, DrawingTable, DriveTable, Equations, ForceTable,
     Freedom, FunctionId, Functions, GuardTable, MidiTable, ModeTable, ModelTable, NamedQuantity,
-    ParameterTable, PartTable, PresetTable, RequirementTable, RestTable, SoundTable, WayTable,
+    ParameterTable, PartTable, PresetTable, Reading, RequirementTable, RestTable, SoundTable,
+    WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -114,6 +115,7 @@ fn parameter(name: &'static str) -> ParameterTable {
         unit: "1/s²",
         range: (0.0, 1e6),
         doc: "a stiffness".into(),
+        reading: Reading::default(),
     }
 }
 

@@ -6,6 +6,7 @@ use mechanism::expressions::graph::{
 use mechanism::expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 
 use super::straight::followed;
+use crate::expressions::common::UNARY;
 
 /// Start of the series, and the parameter.
 const X: f64 = 0.37;
@@ -47,22 +48,9 @@ impl Along {
             let three = self.graph.constant(3.0);
             self.graph.sum(&[(square, 1.0), (wave, 0.3), (three, 0.4)])
         };
-        let functions = [
-            One::Sin,
-            One::Cos,
-            One::Tanh,
-            One::Exp,
-            One::Ln,
-            One::Sqrt,
-            One::Abs,
-            One::Sign,
-            One::Softplus,
-            One::Logistic,
-            One::SoftplusArea,
-            One::SoftplusSquareArea,
-        ];
-        let mut all: Vec<_> = functions.into_iter().map(|it| self.one(it, above)).collect();
-        all.extend([One::Asin, One::Acos].map(|it| self.one(it, half)));
+        let (of_any, of_angles) = UNARY.split_at(12);
+        let mut all: Vec<_> = of_any.iter().map(|it| self.one(*it, above)).collect();
+        all.extend(of_angles.iter().map(|it| self.one(*it, half)));
         let inverse = self.graph.divide(p, above);
         let ratio = self.graph.divide(wave, above);
         let product = self.graph.product(&[(wave, 2), (above, 3), (x, 1)]);

@@ -1,5 +1,4 @@
 pub mod pendulum;
-pub mod touching;
 
 use mechanism::kane::assemble::Program;
 use mechanism::kane::graph::{Graph, Node, Place};
@@ -27,6 +26,7 @@ impl Draft {
             unit: "1".to_owned(),
             range: (-1e9, 1e9),
             doc: String::new(),
+            reading: instruments::Reading::default(),
         };
         let range = (-1e3, 1e3);
         let (mut places, mut speeds) = (Vec::new(), Vec::new());

@@ -144,6 +144,10 @@ impl Numbers {
         (self.0 >> 11) as f64 / 2_f64.powi(52) - 1.0
     }
 
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * 0.5 * (1.0 + self.next())
+    }
+
     pub(crate) fn list<const N: usize>(&mut self) -> [f64; N] {
         std::array::from_fn(|_| self.next())
     }

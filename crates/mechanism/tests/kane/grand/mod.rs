@@ -1,8 +1,7 @@
-//! The described model C, a reduced grand, against the geometry of its source, virtual work, and
-//! the forces on a finger.
+//! The described model C, a reduced grand, against the geometry of its source and the forces on a
+//! finger.
 
 mod equations;
-mod modes;
 mod playing;
 mod pressed;
 
@@ -24,23 +23,6 @@ fn softplus(x: f64) -> f64 {
 fn lever(model: &Runnable<4>, y: f64) -> f64 {
     let [offset, ratio, drop, width] = ["o_r", "R", "yd", "wd"].map(|name| value(model, name));
     offset + ratio * (y - width * softplus((y - drop) / width))
-}
-
-/// Returns the head on the key (m): on the jack along a line, through the let-off along the
-/// parabola that leaves the button in the line's direction and ends flat by `rho` at `zt`.
-fn carried(model: &Runnable<4>, mode: &str, y: f64) -> Option<f64> {
-    let of = |name| value(model, name);
-    match mode {
-        "ACC" => Some(of("R") * y),
-        "CHK" => Some(of("zc") + of("Rc") * (y - of("ybed"))),
-        "LO" => {
-            let (from, slopes) = (of("R") * BUTTON, [of("R"), of("R") * of("rho")]);
-            let along = (y - BUTTON) / (TRIP - BUTTON);
-            let mean = slopes[0] + 0.5 * along * (slopes[1] - slopes[0]);
-            Some(from + mean * (y - BUTTON))
-        }
-        _ => None,
-    }
 }
 
 #[track_caller]

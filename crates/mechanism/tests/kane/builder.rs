@@ -1,7 +1,8 @@
-mod expression;
-
 use std::collections::HashMap;
 
+use mechanism::formulas::{
+    Dependence, Dimension, Form, Measured, NameError, NameScope, build, parse,
+};
 use mechanism::kane::graph::{Graph, Node, Place, Tangent};
 use mechanism::kane::mechanism::{
     Constraint, ConstraintKind, Coordinate, Fires, Force, Guard, Mechanism, MechanismOutput,
@@ -38,6 +39,7 @@ impl MechanismBuilder {
                 unit: "1".into(),
                 range: (-1e9, 1e9),
                 doc: String::new(),
+                reading: instruments::Reading::default(),
             });
             new.values.push(*value);
         }
@@ -82,7 +84,8 @@ impl MechanismBuilder {
     }
 
     pub(crate) fn e(&mut self, text: &str) -> Node {
-        expression::read(&mut self.it.graph, &self.names, text)
+        let parsed = parse(text, Form::Value).expect(text);
+        build(&parsed, &mut self.it.graph, &mut Names(&self.names)).expect(text).node
     }
 
     pub(crate) fn define(&mut self, name: &str, text: &str) {
@@ -245,4 +248,35 @@ pub(crate) fn branch(to: usize) -> mechanism::kane::mechanism::GuardBranch {
 
 pub(crate) fn number(index: usize) -> u16 {
     u16::try_from(index).expect("few")
+}
+
+struct Names<'a>(&'a HashMap<String, Node>);
+
+impl NameScope for Names<'_> {
+    fn value(
+        &mut self,
+        _graph: &mut Graph,
+        name: &str,
+        primes: u8,
+    ) -> Result<Measured, Option<NameError>> {
+        let node = self.0.get(&format!("{name}{}", "'".repeat(primes.into()))).ok_or(None)?;
+        Ok(Measured { node: *node, dimension: Dimension::NONE, reach: Dependence::NOTHING })
+    }
+
+    fn named(
+        &mut self,
+        _graph: &mut Graph,
+        _function: &str,
+        _names: &[&str],
+    ) -> Result<Measured, (usize, Option<NameError>)> {
+        Err((0, None))
+    }
+
+    fn rate(&mut self, _graph: &mut Graph, _value: Measured) -> Result<Measured, NameError> {
+        Err(NameError { message: "rates are names with primes".into(), help: String::new() })
+    }
+
+    fn allowed(&self) -> Dependence {
+        Dependence::NOTHING
+    }
 }
