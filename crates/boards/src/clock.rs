@@ -114,12 +114,10 @@ impl ClockModel {
         Self { drift, drift_error, ..Self::default() }
     }
 
-    /// Tells whether the board's time can be told, now and until the next round trip.
     pub const fn is_known(&self) -> bool {
         0 < self.n && self.is_rate_known()
     }
 
-    /// Tells whether it is known how fast the board's clock runs.
     const fn is_rate_known(&self) -> bool {
         self.drift_error <= RATE_ERROR
     }

@@ -20,7 +20,6 @@ impl fmt::Display for ImpossibleValue {
     }
 }
 
-/// Returns the numbers in `hello` that no board can have.
 pub fn impossible_values(hello: &Hello) -> Vec<ImpossibleValue> {
     let any = 1..=u32::from(u16::MAX);
     let values = [

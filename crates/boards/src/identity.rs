@@ -29,7 +29,6 @@ impl ClaimedKeys {
         KeyRange::new(KeyIndex::new(self.first)?, KeyIndex::new(last)?)
     }
 
-    /// Returns whether `key` is one of these.
     pub fn contains(self, key: KeyIndex) -> bool {
         key.number().checked_sub(self.first).is_some_and(|slot| slot < self.n)
     }

@@ -18,7 +18,6 @@ use crate::untaken::UntakenForces;
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct BoardName {
-    /// The link it is on.
     pub line: String,
     pub number: u8,
 }
@@ -177,7 +176,6 @@ impl fmt::Display for LineTraffic {
     }
 }
 
-/// Returns a status in words.
 const fn status_words(status: Status) -> &'static str {
     match status {
         Status::Done => "done",

@@ -47,7 +47,6 @@ impl RequestChannel {
         Self { board, next_id: first, pending: None }
     }
 
-    /// Tells whether a request may be pending.
     pub const fn is_free(&self) -> bool {
         self.pending.is_none()
     }

@@ -6,7 +6,6 @@ use keyboard::{KEYS, KeyIndex, KeyRange};
 /// A board's place among all lines, and the keys that it carries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BoardPlace {
-    /// Index of the line that it is on.
     pub line: usize,
     pub board: BoardId,
     pub first_key: KeyIndex,

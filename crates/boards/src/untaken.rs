@@ -5,7 +5,6 @@ use std::fmt;
 /// Forces that a board did not take.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct UntakenForces {
-    /// Forces that were sent.
     pub sent: u64,
     /// Frames that it refused, and that it counted as stale.
     pub refused: u32,

@@ -3,8 +3,7 @@
 use crate::estimate::KeyMotion;
 use crate::plant::KeyParameters;
 
-/// Speed at which half of the dry friction is compensated (m/s): below it, the noise of the
-/// estimate would reverse the force.
+/// Speed at which half of the dry friction is compensated (m/s), above the noise of its estimate.
 const SLIDING: f64 = 5e-3;
 
 /// A force that cancels part of a key's own mechanics.

@@ -102,7 +102,6 @@ impl ForceGate {
         if period.is_finite() && 0.0 < period { self.slew * period } else { 0.0 }
     }
 
-    /// Moves from the last force towards `target` (N), which is out of reach.
     fn towards(&self, target: f64, period: f64) -> f64 {
         self.force + self.reach(period).copysign(target - self.force)
     }

@@ -24,8 +24,7 @@ pub struct SampledWall {
 }
 
 impl SampledWall {
-    /// Returns the damping of the device (N s/m) above which the wall is passive: K (T/2 + d) +
-    /// |B|.
+    /// Returns the device damping (N s/m) above which the wall is passive: K (T/2 + d) + |B|.
     ///
     /// Without delay it is exact, from `[CS97]`: the supremum of [`Self::demand`], at half the
     /// sampling rate for B above zero and at standstill for B below. With a delay of whole periods
@@ -44,11 +43,9 @@ impl SampledWall {
     }
 
     /// Returns the damping that a motion with the angle `theta` per period (rad, above 0 to π)
-    /// demands of the device (N s/m), with the delay rounded to `n` whole periods.
-    ///
-    /// `[CS97]` has (T/2) / (1 − cos θ) · Re{(1 − e^−jθ) H(e^jθ)} for any H. With
-    /// H(z) = z^−n (K + B (z − 1) / (T z)) it is
-    /// (K T/2) sin((n + 1/2) θ) / sin(θ/2) − B cos((n + 1) θ).
+    /// demands of the device (N s/m), with the delay rounded to `n` whole periods. `[CS97]` has
+    /// (T/2) / (1 − cos θ) · Re{(1 − e^−jθ) H(e^jθ)} for any H. With H(z) = z^−n (K + B (z − 1) /
+    /// (T z)) it is (K T/2) sin((n + 1/2) θ) / sin(θ/2) − B cos((n + 1) θ).
     pub fn demand(&self, theta: f64) -> f64 {
         let n = self.whole_periods();
         let spring = ((n + 0.5) * theta).sin() / (0.5 * theta).sin();
@@ -68,19 +65,16 @@ impl SampledWall {
     }
 
     /// Returns the approximate stiffness (N/m) up to which the loop is stable without a hand, on a
-    /// device with `damping` (N s/m): (b + B) / (T/2 + d).
-    ///
-    /// The linear condition of `[GS09]`: for a device of large mass, b T / m and B T / m much less
-    /// than 1, and delays of few periods.
+    /// device with `damping` (N s/m): (b + B) / (T/2 + d). The linear condition of `[GS09]`: for a
+    /// device of large mass, b T / m and B T / m much less than 1, and delays of few periods.
     pub fn linear_stiffness(&self, damping: f64) -> f64 {
         (damping + self.damping) / (0.5 * self.period + self.delay)
     }
 
     /// Returns the mass (kg) up to which a rendered mass without delay is passive on a device with
-    /// `damping` (N s/m), rendered by second differences each `period` (s): b T / 2.
-    ///
-    /// The criterion of `[CS97]` with H(z) = M ((z − 1) / (T z))² demands
-    /// −(2 M / T) sin(θ/2) sin(3 θ/2), which is largest, 2 M / T, at half the sampling rate.
+    /// `damping` (N s/m), rendered by second differences each `period` (s): b T / 2. The criterion
+    /// of `[CS97]` with H(z) = M ((z − 1) / (T z))² demands −(2 M / T) sin(θ/2) sin(3 θ/2), which
+    /// is largest, 2 M / T, at half the sampling rate.
     pub fn passive_mass(damping: f64, period: f64) -> f64 {
         0.5 * damping * period
     }
@@ -103,11 +97,9 @@ pub struct RoundedDevice {
 
 impl RoundedDevice {
     /// Returns the largest stiffness (N/m) of a wall without damping that is passive at `period`
-    /// (s): the lesser of 2 b / T and 2 f / Δ.
-    ///
-    /// `[AO05]`: over one period with the displacement δ a held spring generates at most K δ²/2,
-    /// which damping dissipates if b ≥ K T/2, and K Δ |δ|/2 as its position is rounded, which
-    /// friction dissipates if f ≥ K Δ/2.
+    /// (s): the lesser of 2 b / T and 2 f / Δ. `[AO05]`: over one period with the displacement δ a
+    /// held spring generates at most K δ²/2, which damping dissipates if b ≥ K T/2, and K Δ |δ|/2
+    /// as its position is rounded, which friction dissipates if f ≥ K Δ/2.
     pub fn passive_stiffness(&self, period: f64) -> f64 {
         let held = 2.0 * self.damping / period;
         if self.quantum > 0.0 { held.min(2.0 * self.coulomb / self.quantum) } else { held }

@@ -8,9 +8,8 @@ pub struct Swing {
 }
 
 impl Swing {
-    /// Oscillation of a shaking key in 0.15 s, as a fraction of its dip. The paper's springs,
-    /// without a damper, move a key of 10 mm by 2.4 while their hammer hops; loops that generate
-    /// energy move it by 5.5 and more.
+    /// Oscillation of a shaking key in 0.15 s, as a fraction of its dip. The paper's springs move a
+    /// key of 10 mm by 2.4 while their hammer hops; loops that generate energy, by more than 5.5.
     pub const SHAKING: f64 = 0.4;
 
     /// Oscillation of a key that starts to shake, and its ratio to that in the previous 0.15 s.

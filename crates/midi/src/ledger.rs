@@ -156,10 +156,8 @@ mod tests {
 
     #[test]
     fn what_a_killed_process_left_is_found_once_and_what_a_running_one_holds_is_not() {
-        let name = format!("letoff-ledger-{}", std::process::id());
-        let folder = std::env::temp_dir().join(name);
-        fs::create_dir_all(&folder).unwrap();
-        let open = |port: &str| NoteLedger::open(&folder, port).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let open = |port: &str| NoteLedger::open(folder.path(), port).unwrap();
         let (mut killed, left) = open("plug");
         assert!(left.is_silent());
         killed.begin(on(60)).unwrap();
@@ -176,6 +174,5 @@ mod tests {
         let (_last, left) = open("plug");
         assert_eq!(offs(left), [[0x80, 60, 64]], "killed before it could send");
         drop(running);
-        fs::remove_dir_all(&folder).unwrap();
     }
 }

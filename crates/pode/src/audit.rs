@@ -47,8 +47,7 @@ pub trait Energetic: Guarded {
         0.0
     }
 
-    /// Returns the share of the balance that depends on the state alone, evaluated once per state,
-    /// even where the input jumps.
+    /// Returns the share of the balance that depends on the state alone, evaluated once per state.
     #[inline]
     fn balance_of_state(&self, _mode: Self::Mode, _x: &Self::State) -> EnergyBalance {
         EnergyBalance::default()
@@ -78,8 +77,7 @@ pub trait Energetic: Guarded {
 pub struct EnergyAudit {
     pub supplied: f64,
     pub dissipated: f64,
-    /// Change at events: impacts (negative), reset maps, and the input's work while many impacts
-    /// are taken in one move.
+    /// Change at events: impacts (negative), reset maps, and the input's work in a move.
     pub jumps: f64,
     /// Change where the input and the entries slaved to it jump between two ticks.
     pub sampling: f64,

@@ -61,8 +61,7 @@ impl Cubic {
         (maximum, minimum)
     }
 
-    /// Returns the first root in (`lo`, `hi`] reached from above, if any, given the cubic's
-    /// `turns`.
+    /// Returns the first root in (`lo`, `hi`] reached from above, if any, by the `turns`.
     pub(crate) fn first_root(&self, turns: Turns, lo: f64, hi: f64) -> Option<f64> {
         let clipped = |turn: Option<f64>| turn.map_or(hi, |tau| tau.clamp(lo, hi));
         let (maximum, minimum) = (clipped(turns.0), clipped(turns.1));

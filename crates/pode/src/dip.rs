@@ -80,7 +80,6 @@ impl Dip {
     pub(crate) const LOOKS: u32 = 4;
 
     /// Returns a place where `guard` is below `-band`, searched from the `cubic`'s minimum `tau`.
-    ///
     /// The search continues while the polynomial predicts less than half of the lowest value found.
     pub(crate) fn below(
         cubic: &Cubic,

@@ -94,9 +94,8 @@ impl<S: State> Enclosure<S, Motion> {
 }
 
 /// Returns a lower bound over a step of a guard with the values `g0` and `g1` (less rounding) at
-/// its ends and a second derivative within ±`bend` (per step²).
-///
-/// The guard is at most a parabola below its chord: g ≥ chord − ½ bend τ (1 − τ).
+/// its ends and a second derivative within ±`bend` (per step²). The guard is at most a parabola
+/// below its chord: g ≥ chord − ½ bend τ (1 − τ).
 #[inline]
 pub(crate) fn least(g0: f64, g1: f64, bend: f64) -> f64 {
     // bend = 0 gives an infinite or undefined place, and the lower end.

@@ -40,9 +40,8 @@ pub(crate) enum Stand {
     Unwatched,
 }
 
-/// Returns the stand of a guard by its value and rate, over the `h` (s) ahead.
-///
-/// `since_event` is the width (s) to which the event just before was located, or 0.
+/// Returns the stand of a guard by its value and rate, over the `h` (s) ahead. `since_event` is the
+/// width (s) to which the event just before was located, or 0.
 #[inline]
 pub(crate) fn stand(spec: &GuardSpec, guard: GuardValue, h: f64, since_event: f64) -> Stand {
     let zero = spec.band() + guard.rate.abs() * since_event;
@@ -68,8 +67,7 @@ const fn below(spec: &GuardSpec) -> Stand {
 }
 
 impl Stand {
-    /// Returns the stand of a guard that stood `before` in this mode: a disarmed one stays disarmed
-    /// until it has been positive.
+    /// Returns the stand after `before`: a disarmed guard stays so until it has been positive.
     #[inline]
     pub(crate) fn again(self, before: Self) -> Self {
         let is_off = matches!(before, Self::Disarmed | Self::Spent);

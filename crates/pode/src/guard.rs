@@ -11,12 +11,10 @@ pub struct GuardId(pub u8);
 /// Condition under which a guard fires.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fires {
-    /// Whenever it is negative: a mode entered with the wrong sign is left at once.
-    ///
-    /// It fires once each time that it becomes negative. If its own reset map stays in the mode and
-    /// leaves it negative, it fires again only after it has been positive, or where it sinks
-    /// further and the reset map would turn it. [`Work::ineffective`](crate::Work::ineffective)
-    /// counts such resets.
+    /// Whenever it is negative: a mode entered with the wrong sign is left at once. It fires once
+    /// each time that it becomes negative. If its own reset map stays in the mode and leaves it
+    /// negative, it fires again only after it has been positive, or where it sinks further and the
+    /// reset map would turn it. [`Work::ineffective`](crate::Work::ineffective) counts such resets.
     WhileNegative,
     /// On a crossing from above only: a mode may be entered with it negative.
     OnCrossing,

@@ -17,7 +17,6 @@ pub(crate) struct Impacts<M> {
     since: f64,
     /// Times between impacts (s), newest first; 0 where none is known.
     intervals: [f64; 4],
-    /// Their impulses, newest first.
     impulses: [f64; 4],
 }
 
@@ -95,17 +94,15 @@ fn pushed([a, b, c, _]: [f64; 4], newest: f64) -> [f64; 4] {
     [newest, a, b, c]
 }
 
-/// Sums all terms after a sequence with these last four, newest first; `None` if not finite.
-///
-/// The ratio of successive terms tends to a constant, and its distance from that shrinks by a
-/// factor of its own: like a power of the speed, whatever the law of the impact is.
+/// Sums all terms after a sequence with these last four, newest first; `None` if not finite. The
+/// ratio of successive terms tends to a constant, and its distance from that shrinks by a factor of
+/// its own: like a power of the speed, whatever the law of the impact is.
 fn remaining([d, c, b, a]: [f64; 4]) -> Option<f64> {
     /// Terms before the rest is summed up as a geometric sequence.
     const TERMS: usize = 48;
     let [first, second, third] = [b / a, c / b, d / c];
     let shrinks = (third - second) / (second - first);
-    // Where the ratio is constant but for rounding, that quotient is noise. The distance shrinks at
-    // least like the speed itself.
+    // The quotient is noise where the ratio is constant. The distance shrinks like the speed.
     let is_noise = (third - second).abs() < NOISE;
     let shrinks = if is_noise { 0.0 } else { shrinks.max(0.0).min(third) };
     let (mut ratio, mut change) = (third, third - second);

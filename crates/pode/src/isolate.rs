@@ -13,8 +13,7 @@ pub(crate) enum Isolated {
     Free,
     /// The first root lies between these places, the only one there.
     Root { lo: (f64, f64), hi: (f64, f64) },
-    /// Too many halvings: the guard may have a root. `low` is the first place, with its value,
-    /// where it is known to be negative.
+    /// Too many halvings. `low`: the first place with a known negative value, and that value.
     Open { low: Option<(f64, f64)> },
 }
 
@@ -23,10 +22,8 @@ pub(crate) const LOOKS: u32 = 32;
 /// Maximum of intervals that wait for their turn: one for each halving.
 const DEPTH: usize = LOOKS as usize + 1;
 
-/// Isolates the first root of a `guard` that is positive at the start of the step.
-///
-/// `start` and `end` are its values there, `bend` bounds its second derivative (per step²), and
-/// values within `band` of zero count as zero.
+/// Isolates the first root of a `guard` that starts positive, with values `start` and `end` at the
+/// ends, a second derivative within `bend` (per step²), and rounding within `band`.
 #[cold]
 pub(crate) fn isolate(
     (start, end): (f64, f64),

@@ -17,24 +17,20 @@ pub struct Limits {
     pub work: WorkLimit,
     /// Longest step (s); overrides longer steps of the model.
     pub longest_step: f64,
-    /// Factor on the model's own steps; 2 halves the work of a method with fixed steps, whose error
-    /// at order `p` grows by 2ᵖ.
+    /// Factor on the model's own steps; 2 halves the work with fixed steps, at 2ᵖ times the error.
     pub stretch: f64,
-    /// `true` if forecasts are used: certainly far guards are not evaluated, and a step ends just
-    /// behind a predicted event.
+    /// `true` if forecasts are used: far guards are skipped, steps end behind predicted events.
     pub forecast: bool,
     /// Width to which an event is bracketed, as a fraction of the tick.
     pub event_tolerance: f64,
 }
 
-/// Limit of the evaluations of derivatives and guards together in one tick; a running search for a
-/// crossing is finished.
+/// Limit of the derivatives and guards evaluated in one tick; a running search is finished.
 ///
 /// Unlike the other limits it depends on the caller's time, and may change between ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WorkLimit {
-    /// Evaluations in the first quarter of a tick: stops a model that needs far too many steps, but
-    /// not one with an impact.
+    /// Evaluations in the first quarter of a tick: stops a model with far too many steps.
     pub early: u32,
     pub most: u32,
 }
@@ -53,10 +49,9 @@ impl WorkLimit {
 }
 
 impl Default for Limits {
-    /// 64 events, 32 at one instant, and the work that these need; 2⁻⁴⁰ of a tick.
-    ///
-    /// A Newton's cradle of five balls, all pairs independent, fits in. [`Limits::reached`] names
-    /// the limit to raise when a tick is capped.
+    /// 64 events, 32 at one instant, and the work that these need; 2⁻⁴⁰ of a tick. A Newton's
+    /// cradle of five balls, all pairs independent, fits in. [`Limits::reached`] names the limit to
+    /// raise when a tick is capped.
     fn default() -> Self {
         Self {
             events: 64,
@@ -94,6 +89,5 @@ impl Limits {
     }
 }
 
-/// 2⁻⁴⁰ of a tick: 1e-15 s at 1 ms. The dense output is a cubic, so finer location costs one or two
-/// guard evaluations and no derivative.
+/// 2⁻⁴⁰ of a tick: 1e-15 s at 1 ms. Finer location costs one or two guard evaluations.
 const DEFAULT_EVENT_TOLERANCE: f64 = 1.0 / ((1_u64 << 40) as f64);

@@ -27,8 +27,7 @@ impl Bracket {
         if tau.is_finite() { tau.max(self.lo).min(self.hi) } else { self.hi }
     }
 
-    /// Returns `true` if the guard falls more steeply than any root: it jumps inside. `whole` is
-    /// the initial bracket.
+    /// Returns `true` if the guard jumps in the bracket, first `whole`: steeper than any root.
     fn holds_jump(&self, whole: &Self) -> bool {
         let [drop, most] = [self, whole].map(|it| it.at_lo - it.at_hi);
         // A square root's drop shrinks like the root of the width, a jump's does not shrink.

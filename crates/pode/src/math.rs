@@ -37,9 +37,7 @@ door! {
     ceil(x) = ceil;
 }
 
-/// Returns sine and cosine of `x` (rad).
-///
-/// Within ±π/4, the usual range of levers and hammers, both come from one pair of polynomials
+/// Returns sine and cosine of `x` (rad). Within ±π/4 both come from one pair of polynomials
 /// (fdlibm's kernels, below 1 ulp): the same bits on every machine, in half the time.
 #[inline]
 pub fn sin_cos(x: f64) -> (f64, f64) {

@@ -24,8 +24,7 @@ pub trait Model {
     /// How many leading entries of the state are coordinates.
     const COORDS: usize;
 
-    /// Returns how many leading entries of the state are coordinates, where that is a matter of the
-    /// values of the model, as it is where the model was read from a file.
+    /// Returns the number of leading coordinates, which may depend on values of the model.
     #[inline]
     fn coordinates(&self) -> usize {
         Self::COORDS
@@ -35,17 +34,14 @@ pub trait Model {
     fn derivative(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Self::State;
 
     /// Parts of the state that move by equations in `mode` and do not touch each other, at most
-    /// [`MAX_PARTS`](crate::MAX_PARTS).
-    ///
-    /// What is in no part is slaved: [`Guarded::constrain`] puts it in place, and no method
-    /// integrates it. A mode without parts has no degree of freedom, and takes no derivative.
+    /// [`MAX_PARTS`](crate::MAX_PARTS). What is in no part is slaved: [`Guarded::constrain`] puts
+    /// it in place, and no method integrates it. A mode without parts takes no derivative.
     #[inline]
     fn parts(&self, _mode: Self::Mode) -> &[Part] {
         &[Part::WHOLE]
     }
 
-    /// Returns the derivative of the entries of the part `index` in `mode`; the others may be
-    /// anything.
+    /// Returns the derivative of the part `index` in `mode`; other entries may be anything.
     #[inline]
     fn derivative_of(
         &self,
@@ -63,8 +59,7 @@ pub trait Model {
         0.0
     }
 
-    /// Returns the derivative's derivative by the state; by differences unless a model knows
-    /// better. Methods that are linearly implicit ask for it.
+    /// Returns the Jacobian by the state for implicit methods; by differences unless overridden.
     fn jacobian(
         &self,
         mode: Self::Mode,
@@ -99,9 +94,8 @@ pub trait Guarded: Model {
         self.nature(mode).longest_step
     }
 
-    /// Expands the motion of `mode` as a power series in time, and its guards along it.
-    ///
-    /// `out` says from which state, up to which order, and in units of which time; `input` has the
+    /// Expands the motion of `mode` as a power series in time, and its guards along it. `out` says
+    /// from which state, up to which order, and in units of which time; `input` has the
     /// coefficients of the input in the same unit, three more than are asked for. Returns `false`
     /// where the model has no series: [`Taylor`](crate::stepper::Taylor) then steps otherwise.
     #[inline]
@@ -115,25 +109,19 @@ pub trait Guarded: Model {
     }
 
     /// The guards of `mode`, at most [`MAX_GUARDS`](crate::MAX_GUARDS), in any order.
-    ///
-    /// The model may keep the list among its own values: their number and their scales then
-    /// follow from its parameters.
     fn guards(&self, _mode: Self::Mode) -> &[GuardSpec] {
         &[]
     }
 
-    /// Whether a guard of the list is watched in `mode`; one that is not is never evaluated
-    /// there.
+    /// Whether a guard of the list is watched in `mode`; one that is not is never evaluated there.
     fn is_watched(&self, _mode: Self::Mode, _guard: GuardId) -> bool {
         true
     }
 
-    /// Bounds what the guard does along a computed orbit, with the enclosure of one step.
-    ///
-    /// With a bound a far guard is left alone until the orbit can have reached it, and a step is
-    /// certain where no guard can have come to zero. The bound is about the guard as a function
-    /// of state and input: how fast the orbit goes is seen, step by step. One that is too low
-    /// hides crossings.
+    /// Bounds what the guard does along a computed orbit, with the enclosure of one step. With a
+    /// bound a far guard is left alone until the orbit can have reached it, and a step is certain
+    /// where no guard can have come to zero. The bound is about the guard as a function of state
+    /// and input; one that is too low hides crossings.
     fn guard_bound(
         &self,
         _mode: Self::Mode,
@@ -143,9 +131,8 @@ pub trait Guarded: Model {
         GuardBound::UNKNOWN
     }
 
-    /// Returns the guard and its rate along the motion in `mode`. `[GC93]` eq. 8.
-    ///
-    /// A guard that is listed and not defined here is no number, which is a fault.
+    /// Returns the guard and its rate along the motion in `mode`. `[GC93]` eq. 8. A guard that is
+    /// listed and not defined here is no number, which is a fault.
     fn guard(
         &self,
         _mode: Self::Mode,
@@ -159,11 +146,9 @@ pub trait Guarded: Model {
 
 /// Where the state lands, and in which mode, when a guard fires.
 ///
-/// A model whose guards only tell when they are crossed needs no more than
-/// `impl Resets for X {}`.
+/// A model whose guards only tell when they are crossed needs no more than `impl Resets for X {}`.
 pub trait Resets: Guarded + Sized {
-    /// Applies the reset map x⁺ = H(x⁻, u), by default the one that changes nothing.
-    /// `[GC93]` eq. 12.
+    /// Applies the reset map x⁺ = H(x⁻, u), by default the identity. `[GC93]` eq. 12.
     fn reset(
         &self,
         mode: Self::Mode,

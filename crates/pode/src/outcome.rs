@@ -52,8 +52,7 @@ pub struct Work {
     /// Events with a reset map, perhaps of the wrong sign, that left the fired guard below zero or
     /// falling from it in the same mode: it does not fire again until it has been positive.
     pub ineffective: u32,
-    /// Steps in which no root of a guard can have been missed: the bound of each guard excludes one
-    /// on the computed orbit.
+    /// Steps in which no root of a guard can have been missed on the computed orbit.
     pub certain: u32,
     pub unknown: u32,
 }

@@ -22,11 +22,9 @@ pub struct Part {
     reads: Reads,
 }
 
-/// Maximum of mode steps in one step of a part.
-///
-/// The part's dense output is then used inside its step, where a method is less exact than at the
-/// end: three steps of the paper's hammer in flight add 1 % to the error of its events' times, four
-/// add 2 %.
+/// Maximum of mode steps in one step of a part. The part's dense output is then used inside its
+/// step, where a method is less exact than at the end: three steps of the paper's hammer in flight
+/// add 1 % to the error of its events' times, four add 2 %.
 const MOST_STEPS: f64 = 3.0;
 
 impl Part {
@@ -73,8 +71,7 @@ impl Part {
         Self { reads: Reads::State, ..self }
     }
 
-    /// Returns the length (s) of the part's own step, a multiple of the mode's step `h` (s), if
-    /// `rest` (s) of the tick is left.
+    /// Returns the length (s) of the part's step, a multiple of `h` (s), with `rest` (s) left.
     #[inline]
     pub(crate) fn own_step(&self, h: f64, rest: f64) -> f64 {
         let known = match self.reads {

@@ -4,10 +4,9 @@ use crate::math::sqrt;
 use crate::state::Matrix as _;
 use crate::state::{State, largest};
 
-/// eᴬ and k! φₖ(A) for k = 1, 2, 3.
-///
-/// k! φₖ(z) = k ∫₀¹ (1 − s)ᵏ⁻¹ eˢᶻ ds is a mean of the exponential, 1 at z = 0, so that the
-/// solution of x' = A x + r0 + r1 t + r2 t² at 1 is x0 + p1 (A x0 + r0) + p2 r1/2 + p3 r2/3.
+/// eᴬ and k! φₖ(A) for k = 1, 2, 3. k! φₖ(z) = k ∫₀¹ (1 − s)ᵏ⁻¹ eˢᶻ ds is a mean of the
+/// exponential, 1 at z = 0, so that the solution of x' = A x + r0 + r1 t + r2 t² at 1 is x0 + p1 (A
+/// x0 + r0) + p2 r1/2 + p3 r2/3.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Phi<S: State> {
     exp: S::Matrix,
@@ -16,8 +15,7 @@ pub(crate) struct Phi<S: State> {
     pub(crate) p3: S::Matrix,
 }
 
-/// Coefficients of 6 φ3(z), each the one before divided by (j + 3), to z¹⁵: the rest is below
-/// rounding for |z| ≤ 1.
+/// Coefficients of 6 φ3(z), each the one before divided by (j + 3), to z¹⁵: exact for |z| ≤ 1.
 const SERIES: [f64; 16] = {
     let (mut series, mut j) = ([1.0; 16], 1);
     while j < 16 {
@@ -28,11 +26,10 @@ const SERIES: [f64; 16] = {
 };
 
 impl<S: State> Phi<S> {
-    /// Computes the functions of h A/4, h A/2 and h A.
-    ///
-    /// h A is halved until its series is short, at most 64 times, and the functions are doubled as
-    /// often: at most 10 + 4 · 64 products. The error is a few ε (1 + |h A|) of the largest
-    /// entries. If A is not finite, or h A too large for any right digit, they are not finite.
+    /// Computes the functions of h A/4, h A/2 and h A. h A is halved until its series is short, at
+    /// most 64 times, and the functions are doubled as often: at most 10 + 4 · 64 products. The
+    /// error is a few ε (1 + |h A|) of the largest entries. If A is not finite, or h A too large
+    /// for any right digit, they are not finite.
     pub(crate) fn quarters(a: &S::Matrix, h: f64) -> [Self; 3] {
         let mut powers = [*a; 4];
         for n in 1..4 {

@@ -3,8 +3,7 @@
 /// Simpson's rule, exact up to cubics: one place inside, with the weights of the ends and of it.
 pub(crate) const SIMPSON: Rule<1> = Rule { ends: 1.0 / 6.0, inside: [(0.5, 4.0 / 6.0)], looks: 1 };
 
-/// Gauss–Lobatto with six places: exact up to degree 9, for dense outputs of high order.
-/// `[AS64]` table 25.6.
+/// Gauss–Lobatto with six places: exact up to degree 9. `[AS64]` table 25.6.
 pub(crate) const LOBATTO: Rule<4> = Rule {
     ends: 1.0 / 30.0,
     inside: [

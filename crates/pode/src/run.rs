@@ -37,7 +37,6 @@ pub(crate) struct TickRun<'a, S, W> {
 pub(crate) struct TickErrors {
     /// Estimate of an entry's error in one step, in the unit of the entry.
     pub(crate) local: f64,
-    /// Distance by which an event moved a coordinate onto a constraint.
     pub(crate) projection: f64,
 }
 

@@ -109,8 +109,7 @@ pub struct Event<'a, M: Model> {
     pub input: M::Input,
     /// Impulse on the input's driver (readout × s).
     pub impulse: f64,
-    /// Error of its time on the computed orbit (s): the width to which it was located, or the open
-    /// end of a sequence of impacts.
+    /// Error of its time on the computed orbit (s): the located width, or an open sequence's end.
     pub error: f64,
     /// Largest distance by which a coordinate was moved onto the constraint of the next mode.
     pub projection: f64,

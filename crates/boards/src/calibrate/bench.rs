@@ -121,7 +121,6 @@ impl Bench {
         &self.keybed
     }
 
-    /// Measures the rest of all `keys` at once.
     pub fn rests(&mut self, keys: &[KeyIndex]) -> Vec<Result<Rested, CalibrationFault>> {
         let (rest, heard) = (RestMeasurement::default(), self.keybed.now_us());
         let mut rests = vec![Resting::At { rest, heard }; keys.len()];
@@ -135,7 +134,6 @@ impl Bench {
         rests.into_iter().map(Resting::outcome).collect()
     }
 
-    /// Sends `key` down and up.
     pub fn trip(&mut self, key: KeyIndex, rested: &Rested) -> Result<Travelled, CalibrationFault> {
         let mut trip = TripMeasurement::new(rested);
         self.work(key, |t, position| trip.advance(t, position))

@@ -101,12 +101,10 @@ impl KeyPush {
         self.position - self.rest
     }
 
-    /// Returns the key's position (m).
     pub(super) const fn position(&self) -> f64 {
         self.position
     }
 
-    /// Returns the push (N, down positive).
     pub(super) const fn push(&self) -> f64 {
         self.push
     }

@@ -168,7 +168,6 @@ impl<'l> TestedBoard<'l> {
         self.exchange(&request)
     }
 
-    /// Returns the answer to `operation` with `record`, as a status or in words.
     pub(super) fn status<Q: Record>(
         &mut self,
         operation: Operation,

@@ -24,7 +24,6 @@ pub struct Calibrated {
 }
 
 impl Keybed<Calibrated> {
-    /// Returns the boards' locations and keys.
     pub fn places(&self) -> impl Iterator<Item = &BoardPlace> {
         self.stage.boards.iter().map(|board| &board.place)
     }

@@ -32,7 +32,6 @@ impl FoundBoard {
         Uid(self.hello.uid)
     }
 
-    /// Returns the keys that it claims to carry.
     pub const fn keys(&self) -> ClaimedKeys {
         ClaimedKeys { first: self.hello.first_key, n: self.hello.n_keys }
     }
@@ -63,12 +62,10 @@ pub struct WantedBoards {
     pub forces: ForcePacking,
     /// Required boards, by line and number, with their keys.
     pub boards: Vec<(usize, u8, KeyRange)>,
-    /// Samples and forces a second.
     pub hz: u32,
 }
 
 impl Keybed<Identified> {
-    /// Returns the boards that answered.
     pub fn boards(&self) -> &[FoundBoard] {
         &self.stage.found
     }

@@ -50,7 +50,6 @@ pub struct NamedLink {
 }
 
 impl NamedLink {
-    /// Returns a link with a known name only.
     pub fn new(name: impl Into<String>, link: Box<dyn Link + Send>) -> Self {
         let name = name.into();
         Self { address: name.clone(), name, link, medium: None }
@@ -68,12 +67,10 @@ impl<S> Keybed<S> {
         self.lines.iter().map(|line| line.name.as_str())
     }
 
-    /// Returns the medium of each line, if known.
     pub fn media(&self) -> impl Iterator<Item = Option<Medium>> {
         self.lines.iter().map(|line| line.medium)
     }
 
-    /// Returns the clock by which the host waits for these boards.
     pub const fn clock(&self) -> &HostClock {
         &self.clock
     }

@@ -98,7 +98,6 @@ impl Address {
         if text.contains(char::is_whitespace) { format!("'{text}'") } else { text }
     }
 
-    /// Opens the link for one end, which lives by `clock`.
     pub fn open(&self, side: BusSide, clock: &HostClock) -> Result<BoxedLink, Error> {
         (self.kind.open)(self, side, clock)
     }

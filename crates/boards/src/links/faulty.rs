@@ -34,7 +34,6 @@ pub struct Scripted {
     /// Half-open range of these exchanges.
     pub exchanges: Range<u64>,
     pub direction: Direction,
-    /// Fault of every frame in them.
     pub fault: LinkFault,
 }
 
@@ -97,7 +96,6 @@ impl Faults {
         self.exchange += 1;
     }
 
-    /// Puts the faults between the caller and `link`.
     pub const fn around<L: Link>(&mut self, link: L) -> Faulty<'_, L> {
         Faulty { link, faults: self }
     }

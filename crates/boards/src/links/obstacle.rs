@@ -4,7 +4,6 @@ use std::path::PathBuf;
 /// Reason why an existing device cannot be used; a sentence when displayed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Obstacle {
-    /// The user may not read and write the device.
     Forbidden {
         path: PathBuf,
         /// The group that may, if any.

@@ -29,7 +29,6 @@ pub struct ReconnectingLink {
 
 #[derive(Debug, Default)]
 struct ReconnectState {
-    /// `true` if a new link is wanted.
     wanted: AtomicBool,
     /// `true` if the owner is gone.
     over: AtomicBool,

@@ -9,7 +9,6 @@ use crate::links::obstacle::Obstacle;
 /// Reason why a serial port could not be opened.
 #[derive(Debug, thiserror::Error)]
 pub enum PortTrouble {
-    /// No file has this name.
     #[error("it is not there; plug the board in, `letoff devices` lists the ports there are")]
     Missing,
     /// The user has no rights on it.
@@ -18,10 +17,8 @@ pub enum PortTrouble {
     /// The user has no rights, for an unknown reason.
     #[error("the system does not allow it; see its rights: ls -l {path}")]
     Refused { path: PathBuf },
-    /// Another program uses it.
     #[error("another program has it open; see which one: fuser -v {path}")]
     Busy { path: PathBuf },
-    /// It is no serial port, or broken.
     #[error("it does not work as a serial port: {0}; `letoff devices` says what is behind each")]
     Unfit(io::Error),
 }
@@ -31,7 +28,6 @@ pub enum PortTrouble {
 pub enum CanTrouble {
     #[error("CAN is for Linux, as SocketCAN; connect the boards by serial ports")]
     NotLinux,
-    /// No interface has this name.
     #[error("there is no CAN interface of that name; {there_are}")]
     Missing {
         /// List of the interfaces, or the reason why there is none.
@@ -39,7 +35,6 @@ pub enum CanTrouble {
     },
     #[error("{0}")]
     Down(Obstacle),
-    /// It carries no CAN FD frames.
     #[error("it is not set up for CAN FD (MTU 16); do that: {command}; or use classic CAN")]
     NoFd {
         /// Command that sets it up.

@@ -18,11 +18,8 @@ use crate::topology::{self, BoardPlace};
 
 /// Bus time: kind, number, and 4 bytes of time (bytes).
 const SYNC: usize = 6;
-/// A request without a record (bytes).
 const REQUEST: usize = REQUEST_HEAD;
-/// Answer to a ping (bytes).
 const PONG: usize = REPLY_HEAD + Pong::LEN;
-/// Counters of a board (bytes).
 const COUNTERS: usize = REPLY_HEAD + Counters::LEN;
 
 /// Planned load of a bus.

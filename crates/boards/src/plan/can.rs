@@ -58,9 +58,7 @@ pub fn classic_time(id: Id, bytes: usize, stuffing: Stuffing, bitrate: u32) -> f
 /// Length of a CAN FD frame by the rates of its bits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct FdBits {
-    /// At the nominal rate (bits).
     pub nominal: usize,
-    /// At the data rate (bits).
     pub data: usize,
 }
 

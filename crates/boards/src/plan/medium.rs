@@ -33,7 +33,6 @@ pub enum Medium {
     /// Bulk transfers of full-speed devices behind one transaction translator, framed as on a
     /// serial line.
     UsbFullSpeed,
-    /// Bulk transfers of high-speed devices.
     UsbHighSpeed,
 }
 

@@ -35,7 +35,6 @@ impl BoardTerms {
         Millinewtons::saturating(i32::from(force.get()).clamp(-most, most))
     }
 
-    /// Returns `true` if its keys were measured.
     pub fn is_calibrated(&self) -> bool {
         !self.calibration.as_slice().iter().all(KeyCalibration::is_nominal)
     }
@@ -81,9 +80,7 @@ pub struct BoardEnd {
 #[derive(Clone, Debug)]
 struct Guards {
     keys: [KeyGuard; MOST_KEYS],
-    /// Period of the exchange (us).
     period_us: u64,
-    /// Time of the last forces (us).
     sent_us: Option<u64>,
     /// `true` if samples arrived after a gap and no force has answered them.
     is_resuming: bool,
@@ -175,7 +172,6 @@ impl BoardEnd {
         &self.terms
     }
 
-    /// Returns `true` if its forces are multicast.
     pub(super) fn takes_multicast(&self) -> bool {
         self.terms.forces.packing == ForcePacking::Multicast16
     }

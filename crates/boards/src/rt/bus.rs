@@ -58,7 +58,6 @@ struct LineEnd {
     boards: [Option<usize>; NUMBERS],
     statistics: LineStatistics,
     multicast: Multicast,
-    /// Meter of its load, if its medium is known.
     meter: Option<LinkMeter>,
 }
 
@@ -145,7 +144,6 @@ impl KeybedBus {
         self.boards.iter_mut().for_each(|board| board.guard(period_us));
     }
 
-    /// Demands proofs of the motors of all guarded keys before a model may use them.
     pub(crate) fn demand_proof(&mut self) {
         self.boards.iter_mut().for_each(BoardEnd::demand_proof);
     }
@@ -161,7 +159,6 @@ impl KeybedBus {
         }
     }
 
-    /// Limits the share of the forces for this board to `most`, `0 ..= 1`.
     pub fn limit_share(&mut self, board: usize, most: f64) {
         if let Some(board) = self.boards.get_mut(board) {
             board.limit_share(most);
@@ -310,12 +307,10 @@ impl KeybedBus {
         Some(self.lines.get(line)?.meter.as_ref()?.seen(seconds))
     }
 
-    /// Returns the meter of `line`, if its medium is known.
     pub fn line_meter(&self, line: usize) -> Option<LinkMeter> {
         self.lines.get(line)?.meter
     }
 
-    /// Forgets the exchange with this board, which restarts.
     pub fn forget(&mut self, board: usize) {
         if let Some(board) = self.boards.get_mut(board) {
             board.forget();
@@ -336,7 +331,6 @@ impl KeybedBus {
         self.lines.get(line).map_or_else(LineStatistics::default, |it| it.statistics)
     }
 
-    /// Returns the index of the sender of `frame`.
     pub fn board_on(&self, line: usize, frame: &[u8]) -> Option<usize> {
         self.lines.get(line)?.boards.get(board_of(frame)?.index()).copied().flatten()
     }

@@ -27,7 +27,6 @@ pub enum KeyFault {
 }
 
 impl KeyFault {
-    /// Describes the fault in words that follow the key's name and a colon.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Beyond => "its readings lie far beyond its rest and its bottom",

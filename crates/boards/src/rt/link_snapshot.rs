@@ -16,7 +16,6 @@ pub enum LinkSnapshot {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LineSnapshot {
     pub statistics: LineStatistics,
-    /// Meter of its load, if its medium is known.
     pub meter: Option<LinkMeter>,
 }
 

@@ -18,7 +18,6 @@ pub struct Loss {
 pub struct LossCounts {
     /// Frames that were newer than all before.
     pub frames: u64,
-    /// Jumps of the numbers.
     pub gaps: u64,
     pub missing: u64,
     pub repeated: u64,

@@ -18,9 +18,7 @@ const MOST_P90: f64 = 2.5;
 /// Statistics of recent intervals.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SampleIntervals {
-    /// Median (us).
     pub median_us: u16,
-    /// 90th percentile (us).
     pub p90_us: u16,
     /// Median between frames without losses (us).
     pub sent_us: u16,
@@ -76,7 +74,6 @@ impl IntervalWatch {
         *self = Self::default();
     }
 
-    /// Returns the statistics, once enough samples have arrived.
     pub(super) const fn newest(&self) -> Option<SampleIntervals> {
         self.newest
     }

@@ -6,7 +6,6 @@ use crate::topology::BoardPlace;
 /// Agreement with all boards at arming.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Terms {
-    /// Period of the exchange (us).
     pub period_us: u16,
     pub samples: SamplePacking,
     pub forces: ForcePacking,

@@ -31,9 +31,7 @@ enum InterlockState {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ForceInterlock {
     state: InterlockState,
-    /// Validity of forces (us).
     valid_us: u64,
-    /// Seed of the next nonce.
     seed: u32,
     trips: u16,
     armings: u16,

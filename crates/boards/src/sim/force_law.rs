@@ -20,7 +20,6 @@ pub(super) struct Law {
     position: f64,
     /// Velocity of the samples, s0' (m/s).
     velocity: f64,
-    /// Time of the samples (us).
     taken_us: u64,
 }
 

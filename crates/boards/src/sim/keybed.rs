@@ -152,7 +152,6 @@ impl SimulatedKeybed {
         self.lines[board.index()].board.counts()
     }
 
-    /// Returns the number of faults on the wire of `board` since the last plan.
     pub fn fault_counts(&self, board: BoardId) -> FaultCounts {
         self.lines[board.index()].faults.counts()
     }

@@ -25,9 +25,7 @@ pub fn allowed() -> Vec<usize> {
 }
 
 /// Returns the processors that the kernel leaves to programs like this one (`isolcpus=`); none on
-/// most machines.
-///
-/// Not for the tick: reads a file.
+/// most machines. Not for the tick: reads a file.
 pub fn isolated() -> Vec<usize> {
     let list = fs::read_to_string("/sys/devices/system/cpu/isolated").unwrap_or_default();
     listed(&list)

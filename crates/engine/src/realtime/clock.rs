@@ -15,16 +15,14 @@ pub fn thread_cpu() -> Nanos {
     nanos(clock_gettime(ClockId::ThreadCPUTime))
 }
 
-/// Sleeps until host time `due`; returns at once if it has passed. The time is absolute, so work
-/// between two calls adds no drift.
+/// Sleeps until host time `due`; returns at once if it has passed. The time is absolute: no drift.
 pub fn sleep_until(due: Nanos) {
     let request = timespec(due);
     // A signal wakes the thread early; the time is absolute, so the call is repeated unchanged.
     while clock_nanosleep_absolute(ClockId::Monotonic, &request) == Err(Errno::INTR) {}
 }
 
-/// Converts a clock reading; both parts are non-negative, as these clocks count from boot or
-/// thread start.
+/// Converts a clock reading. Both parts are non-negative: these clocks count from boot or start.
 fn nanos(time: Timespec) -> Nanos {
     let seconds = u64::try_from(time.tv_sec).unwrap_or(0);
     let rest = u64::try_from(time.tv_nsec).unwrap_or(0);

@@ -18,10 +18,8 @@ pub struct Locked {
     pub note: Option<String>,
 }
 
-/// Locks all memory of the process and touches the calling thread's stack.
-///
-/// Future memory is locked only where no limit applies: with one, a later allocation of any thread
-/// would fail, which is worse than a page fault.
+/// Locks all memory of the process and touches the calling thread's stack. Future memory is locked
+/// only where no limit applies: with one, a later allocation of any thread would fail.
 pub fn lock() -> Locked {
     let locked = if may_lock_without_limit() { lock_everything() } else { lock_current() };
     prefault_stack();

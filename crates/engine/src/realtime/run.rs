@@ -50,8 +50,7 @@ pub struct TickTiming {
     pub report: TickReport,
     pub times: TickTimes,
     pub outcome: Outcome,
-    /// `true` if voices waited although less than half of the tick's time was used: an error of the
-    /// program, which no load explains.
+    /// `true` if voices waited although less than half of the tick's time was used: a bug.
     pub is_starved: bool,
 }
 
@@ -60,7 +59,6 @@ fn is_starved(report: &TickReport, times: &TickTimes) -> bool {
     0 < report.voices.waited && 2 * times.work.as_u64() < slack
 }
 
-/// Most pauses that are recorded.
 const MAX_PAUSES: usize = 1000;
 
 /// Sequence of lost ticks.
@@ -87,7 +85,6 @@ pub struct Timings {
     pub pauses: Vec<Pause>,
     /// Evaluations of ticks that missed their deadlines by own work.
     evaluations: Histogram<u64>,
-    /// Most evaluations of a tick that was in time.
     most_in_time: u64,
     ledger: Ledger,
 }

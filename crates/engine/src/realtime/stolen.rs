@@ -5,9 +5,7 @@ use std::fs;
 use rustix::param::clock_ticks_per_second;
 
 /// Returns the time that all processors together have lost since the machine started (s); `None`
-/// where the kernel does not count it.
-///
-/// Not for the tick: reads a file.
+/// where the kernel does not count it. Not for the tick: reads a file.
 pub fn stolen() -> Option<f64> {
     stolen_ticks(&fs::read_to_string("/proc/stat").ok()?)
         .map(|ticks| ticks as f64 / clock_ticks_per_second() as f64)

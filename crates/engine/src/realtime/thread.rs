@@ -13,12 +13,10 @@ use thread_priority::{
 
 use super::affinity;
 
-/// Default priority of the tick: above the sound server, below kernel threads on which the tick
-/// depends (`ksoftirqd`, timers).
+/// Default priority of the tick: above the sound server, below `ksoftirqd` and kernel timers.
 pub const DEFAULT_PRIORITY: u8 = 80;
 
-/// Shortest timer slack (ns). With the usual slack, sleeps of a thread without real-time rights end
-/// up to 50 us late.
+/// Shortest timer slack (ns). The usual one delays threads without real-time rights by up to 50 us.
 const SLACK: NonZeroU64 = NonZeroU64::MIN;
 
 /// Request to the system for threads with a deadline.

@@ -105,7 +105,6 @@ impl<'a> VoiceBuilder<'a> {
     }
 }
 
-/// Rejects a model with too many states or parameters for a voice.
 fn refuse_large(model: &ModelEntry) -> Result<(), BuildError> {
     let counts = [
         ("states", model.states.len(), MAX_STATES),
@@ -152,8 +151,7 @@ struct Builder<'a> {
 impl Visitor for Builder<'_> {
     type Output = Result<AnyVoice, BuildError>;
 
-    /// One voice type for all models of a size with the usual method, and one with any other, so
-    /// that a further model compiles no code.
+    /// One voice type per model size and kind of method, so that a further model compiles no code.
     fn visit<M: Playable>(self, model: M) -> Self::Output {
         if let Any::Rk4(rk4) = self.render.stepper {
             return Rk4Builder { rk4, builder: self }.visit(model);

@@ -25,7 +25,6 @@ pub struct KeyMemory {
 }
 
 impl KeyMemory {
-    /// Returns the model input at the player's key, or at the coupling's end.
     pub(crate) fn player(&self) -> Motion {
         let newest = self.input.newest();
         Motion { position: newest.position + self.shift.now(), ..newest }

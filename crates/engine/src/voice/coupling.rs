@@ -21,7 +21,6 @@ pub struct CouplingConstants {
 /// coupling. A force that is passive for the coupling's end is passive for the player.
 ///
 /// # References
-///
 /// The virtual coupling of `[CSB95]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupling {
@@ -44,8 +43,7 @@ pub(crate) struct CoupledTick {
     pub(crate) stored: f64,
 }
 
-/// Minimum inertia of a model's key (readout per acceleration): one without any would follow its
-/// coupling at once.
+/// Minimum inertia of a model's key (readout per acceleration), so that it lags its coupling.
 const LEAST_INERTIA: f64 = 1e-9;
 
 impl Coupling {
@@ -63,7 +61,6 @@ impl Coupling {
         *self = Self { position, rate, ..Self::new(self.constants) };
     }
 
-    /// Continues from the coupling `before`.
     pub(crate) fn succeed(&mut self, before: &Self) {
         // The same distance of the keys is another energy in another spring.
         let stiffer = self.constants.stiffness / before.constants.stiffness;
@@ -85,9 +82,7 @@ impl Coupling {
     }
 
     /// Moves the model's key over a tick of `h` (s) in which the player's moves as `key`, at
-    /// `scale` model inputs per metre.
-    ///
-    /// The coupling is evaluated at the end of the tick, so that it is stable for any stiffness.
+    /// `scale` model inputs per metre. Evaluated at its end: stable for any stiffness.
     ///
     /// # Real-time
     /// Two readouts, one division or two.

@@ -24,7 +24,6 @@ pub struct InputPath {
     /// Time from the computation of a force to its effect (s).
     lead: f64,
     last: KeyMotion,
-    /// Last requested tick, if any.
     tick: Option<u64>,
     /// Age of that sample at that tick (ticks).
     since: f64,
@@ -38,8 +37,7 @@ pub struct Followed {
     pub position: f64,
     /// Excess of its newest sample's age over the usual (s).
     pub late: f64,
-    /// Displacement of the input back to its position before a pause, if the pause was so long that
-    /// the key's motion is unknown.
+    /// Displacement of the input back to its position before a long pause with unknown motion.
     pub back: Option<f64>,
 }
 
@@ -76,9 +74,7 @@ impl InputPath {
         Self { lead, ..self }
     }
 
-    /// Continues from the samples of `before`.
-    ///
-    /// An estimator with equal settings keeps its state; another one is shown the last motion.
+    /// Continues from the samples of `before`. An estimator with equal settings keeps its state.
     ///
     /// # Real-time
     /// At most 16 updates of an estimator.
@@ -131,8 +127,7 @@ impl InputPath {
         pode::Motion { position: position * self.scale, ..pode::Motion::default() }
     }
 
-    /// Advances to `tick`; returns the interval of `sample` from the one before (ticks) if it is
-    /// new.
+    /// Advances to `tick`; returns the interval of a new `sample` from the one before (ticks).
     pub fn go_on(&mut self, tick: u64, sample: &KeySample) -> Option<f64> {
         let Some(before) = self.tick.replace(tick) else {
             self.since = sample.taken;
@@ -150,8 +145,7 @@ impl InputPath {
         self.since.clamp(-MOST_AHEAD, MOST_AHEAD) * self.h
     }
 
-    /// Adds a sample, `elapsed` (s) after the one before; returns the displacement back to that
-    /// one after a long pause.
+    /// Adds a sample `elapsed` (s) after the last; returns the displacement in a long pause.
     fn learn(
         &mut self,
         &KeySample { position, velocity, .. }: &KeySample,
@@ -197,7 +191,6 @@ impl InputPath {
     }
 }
 
-/// Returns `true` if two estimators have equal settings.
 fn is_set_as(mut one: AnyEstimator, mut other: AnyEstimator) -> bool {
     one.reset(0.0);
     other.reset(0.0);

@@ -169,10 +169,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     }
 
     /// Returns mode and state at rest under the constant `input`, and the displacement from there
-    /// to the start of the model's key.
-    ///
-    /// The search takes as long as hundreds of steps. After a failed turn the model begins with its
-    /// key up instead, and follows the player's within 0.3 s.
+    /// to the start of the model's key. The search takes as long as hundreds of steps. After a
+    /// failed turn the model begins with its key up instead, and follows the player's within 0.3 s.
     fn rest_under(&self, input: &Motion) -> (M::Mode, M::State, f64) {
         match self.up {
             Some((mode, state)) if self.has_failed || *input == Motion::default() => {
@@ -230,9 +228,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     }
 
     /// Returns `true` if the energy error of the integration since `before` is less than the work
-    /// of the strongest force over [`LONGEST_WAY`].
-    ///
-    /// Energies are equal at the finger and in the model, whatever the unit of its input.
+    /// of the strongest force over [`LONGEST_WAY`]. Finger and model have equal energies.
     fn is_explained(&self, before: &EnergyAudit) -> bool {
         let most = self.gate.limit() * LONGEST_WAY;
         (self.energy.auditor.sums.integration - before.integration).abs() <= most
@@ -246,8 +242,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         Some(self.memory.coupling.as_mut()?.follow(played, key, scale, self.constants.h))
     }
 
-    /// Returns the compensation of the device's own resistance (N) in the middle of a tick in which
-    /// its key moves as `key`.
+    /// Returns the compensation of the device's resistance (N) in the middle of the tick of `key`.
     fn compensation(&self, key: &Cubic) -> f64 {
         let Some(device) = &self.constants.device else { return 0.0 };
         let (key, scale) = (key.at(0.5), self.scale());
@@ -258,7 +253,6 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         })
     }
 
-    /// Outputs the pressure on the key, of an instrument with aftertouch.
     fn press(&mut self, tick: u64, turn: &mut VoiceOutput) {
         let Some(table) = self.simulator.model().midi().pressure else { return };
         if let Some(event) = self.pressure.follow(table, turn.force, self.constants.h) {
@@ -275,8 +269,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         passive
     }
 
-    /// Reports to the controller the energy of the model since `before`, and of its coupling in
-    /// this tick (J), at the finger.
+    /// Reports the model's energy since `before` and the coupling's (J, finger) to the controller.
     fn account(&mut self, before: &EnergyAudit, coupling: f64) {
         let Some(controller) = &mut self.energy.controller else { return };
         let EnergyAudit { dissipated, jumps, stored, .. } = self.energy.auditor.sums;
@@ -347,8 +340,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         self.rest.observe((sample.position, turn.force), self.memory.model.coordinates, moved);
     }
 
-    /// Moves the model, and its coupling if any, over the tick in which the player's key moves as
-    /// `signal`; strikes go to `events`.
+    /// Moves the model and its coupling while the player's key moves as `signal`; adds strikes.
     fn advance_model(
         &mut self,
         tick: u64,

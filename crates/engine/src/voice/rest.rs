@@ -18,8 +18,7 @@ const UNFELT: f64 = 10e-3;
 /// 5 Hz is this fast where its acceleration is [`STILL_ACCELERATION`].
 const STILL_SPEED: f64 = 5e-4;
 
-/// Rate of a speed that counts as none (m/s² or rad/s²): for a hammer 0.1 mN at the finger, a tenth
-/// of the wire's resolution.
+/// Rate of a speed that counts as none (m/s² or rad/s²): 0.1 mN at the finger for a hammer.
 const STILL_ACCELERATION: f64 = 2e-2;
 
 /// Detects the rest of a key and its model: the key stands still, and the model does not move, or
@@ -80,8 +79,7 @@ impl<S: State> RestDetector<S> {
         }
     }
 
-    /// Returns the force to hold if the voice sleeps and the key is still at `position` (m); it
-    /// sleeps after `time` at rest.
+    /// Returns the force to hold if the voice sleeps, after `time` at rest, at `position` (m).
     pub(crate) fn force_at(&self, position: f64, time: SleepTime) -> Option<f64> {
         let [patience, long] = [self.patience, self.long].map(|ticks| time.of(ticks));
         let rests = patience <= self.calm || long <= self.little;
@@ -114,10 +112,9 @@ fn is_near<S: State>(coordinates: usize, (then, now): (&S, &S)) -> bool {
     pairs.fold(true, |is_near, (then, now)| is_near & ((now - then).abs() <= LITTLE))
 }
 
-/// Returns `true` if a coordinate or a speed moved from `before` to `after`, `h` (s) later.
-///
-/// Both are judged by their rate, since the motion in a tick depends on its length. A coordinate
-/// at the end of a swing has no speed, and one in the middle no acceleration.
+/// Returns `true` if a coordinate or a speed moved from `before` to `after`, `h` (s) later. Both
+/// are judged by their rate, since the motion in a tick depends on its length. A coordinate at the
+/// end of a swing has no speed, and one in the middle no acceleration.
 fn moves<S: State>(coordinates: usize, (before, after): (&S, &S), h: f64) -> bool {
     let pairs = before.entries().iter().zip(after.entries()).enumerate();
     let limit = |index| if index < coordinates { STILL_SPEED } else { STILL_ACCELERATION };

@@ -27,8 +27,7 @@ impl InputShift {
         Self { whole: displacement, left: 1.0, fade: FADE }
     }
 
-    /// Returns a shift by the `displacement` (model input) of a key in a pause: a note that was
-    /// played meanwhile sounds late.
+    /// Returns a shift by the `displacement` (model input) in a pause; a note in it is late.
     pub(crate) const fn after_pause(displacement: f64) -> Self {
         Self { fade: CATCH_UP, ..Self::new(displacement) }
     }

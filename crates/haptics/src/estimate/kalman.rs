@@ -25,8 +25,7 @@ const FORGOTTEN: f64 = 1e4;
 /// Variance of a uniform rounding to one unit.
 const ROUNDING: f64 = 1.0 / 12.0;
 
-/// Displacement per period, as a share of a quantum, below which motion counts as rest: no encoder
-/// can distinguish a millionth of a count.
+/// Displacement per period that counts as rest (counts): no encoder distinguishes a millionth.
 const REST: f64 = 1e-6;
 
 /// Kalman filter of a point driven by white jerk.
@@ -69,11 +68,10 @@ impl Kalman {
     /// Jerk density of a played key (m²/s⁵): 3e3 m/s³ that change every 10 ms (estimate).
     pub const KEY_JERK_DENSITY: f64 = 1e5;
 
-    /// Creates a filter at rest at zero. Not for the tick: iterates the Riccati recursion.
-    ///
-    /// Samples come each `period` (s), rounded to `quantum` (m). `jerk_density` is the power
-    /// spectral density of the jerk that drives the key (m²/s⁵), larger for a faster and noisier
-    /// estimate ([`Self::KEY_JERK_DENSITY`] is a start).
+    /// Creates a filter at rest at zero. Not for the tick: iterates the Riccati recursion. Samples
+    /// come each `period` (s), rounded to `quantum` (m). `jerk_density` is the power spectral
+    /// density of the jerk that drives the key (m²/s⁵), larger for a faster and noisier estimate
+    /// ([`Self::KEY_JERK_DENSITY`] is a start).
     ///
     /// # Panics
     /// Unless all three are finite and positive.
@@ -116,8 +114,7 @@ impl Kalman {
         self.gains.position
     }
 
-    /// Returns the gains for a sample `elapsed` (s) after the last, with a measured speed if
-    /// `speed_variance` is given.
+    /// Returns the gains for a sample `elapsed` (s) after the last, and its measured speed, if any.
     #[inline]
     fn next_gains(&mut self, elapsed: f64, speed_variance: Option<f64>) -> KalmanGains {
         let periods = (elapsed / self.period).min(FORGOTTEN);
@@ -167,7 +164,6 @@ impl Kalman {
         self.measured = measured;
     }
 
-    /// Corrects the state by the `innovation` of a measurement.
     #[inline]
     fn correct(&mut self, [position, velocity, acceleration]: [f64; 3], innovation: f64) {
         self.offset += position * innovation;
@@ -245,10 +241,8 @@ impl KalmanGains {
 }
 
 /// Iterates prediction and correction; returns the steady gains (per second), and the covariance
-/// after a correction, in units of quantum and period `h` (s).
-///
-/// In these units the filter has two parameters: `ratio` = q T⁵ / Δ², jerk density against
-/// rounding, and the variance of measured speeds.
+/// after a correction, in units of quantum and period `h` (s). The filter then has two parameters:
+/// `ratio` = q T⁵ / Δ² and the variance of speeds.
 fn steady_gains(ratio: f64, speed_variance: Option<f64>, h: f64) -> (KalmanGains, Matrix3<f64>) {
     let start = Matrix3::identity() + ratio * white_jerk(1.0);
     let (mut gains, mut after) = corrected(&start, speed_variance);
@@ -306,48 +300,32 @@ fn measured(before: &Matrix3<f64>, row: usize, variance: f64) -> ([f64; 3], Matr
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::super::BackwardDifference;
     use super::*;
-
-    type Square = [[f64; 3]; 3];
-
-    fn product(a: &Square, b: &Square) -> Square {
-        let entry = |i: usize, j: usize| (0..3).map(|k| a[i][k] * b[k][j]).sum();
-        core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)))
-    }
-
-    fn transposed(a: &Square) -> Square {
-        core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]))
-    }
-
-    fn sum(a: &Square, scale: f64, b: &Square) -> Square {
-        core::array::from_fn(|i| core::array::from_fn(|j| a[i][j] + scale * b[i][j]))
-    }
 
     /// Computes the steady gain in SI units by Joseph's form and a fixed long iteration.
     fn joseph_gain(period: f64, quantum: f64, jerk_density: f64) -> [f64; 3] {
         let (t, r) = (period, quantum * quantum / 12.0);
-        let f = [[1.0, t, t * t / 2.0], [0.0, 1.0, t], [0.0, 0.0, 1.0]];
+        let f = Matrix3::new(1.0, t, t * t / 2.0, 0.0, 1.0, t, 0.0, 0.0, 1.0);
         // Gauss-Legendre of order 6 integrates the outer product (polynomials of degree 4) exactly.
-        let mut q = [[0.0; 3]; 3];
+        let mut q = Matrix3::zeros();
         for (node, weight) in [(-0.6_f64.sqrt(), 5.0), (0.0, 8.0), (0.6_f64.sqrt(), 5.0)] {
             let s = t * (1.0 + node) / 2.0;
-            let response = [s * s / 2.0, s, 1.0];
-            let scale = jerk_density * t / 2.0 * weight / 9.0;
-            let outer = response.map(|a| response.map(|b| a * b));
-            q = sum(&q, scale, &outer);
+            let response = Vector3::new(s * s / 2.0, s, 1.0);
+            q += jerk_density * t / 2.0 * weight / 9.0 * response * response.transpose();
         }
-        let mut p = [[1e-6, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1e4]];
-        let mut gain = [0.0; 3];
+        let mut p = Matrix3::from_diagonal(&Vector3::new(1e-6, 1.0, 1e4));
+        let mut gain = Vector3::zeros();
         for _ in 0..50_000 {
-            p = sum(&product(&product(&f, &p), &transposed(&f)), 1.0, &q);
-            gain = core::array::from_fn(|i| p[i][0] / (p[0][0] + r));
-            let [g0, g1, g2] = gain;
-            let keep = [[1.0 - g0, 0.0, 0.0], [-g1, 1.0, 0.0], [-g2, 0.0, 1.0]];
-            let outer = gain.map(|a| gain.map(|b| a * b));
-            p = sum(&product(&product(&keep, &p), &transposed(&keep)), r, &outer);
+            p = f * p * f.transpose() + q;
+            gain = p.column(0) / (p[(0, 0)] + r);
+            let mut keep = Matrix3::identity();
+            keep.set_column(0, &(keep.column(0) - gain));
+            p = keep * p * keep.transpose() + r * gain * gain.transpose();
         }
-        gain
+        gain.into()
     }
 
     #[test]

@@ -9,12 +9,10 @@ pub struct EnergyBound {
 
 impl EnergyBound {
     /// Power of sampling and rounding at a key (W). Instruments that come to rest generate less
-    /// than 5 mW while played (measured, 500 Hz to 10 kHz); the slowest loop that did not generates
-    /// 30 mW.
+    /// than 5 mW (measured, 500 Hz to 10 kHz); loops that do not, 30 mW and more.
     const LEAK: f64 = 20e-3;
 
-    /// Returns the bound of a key whose force is at most `limit` (N): that force over the whole
-    /// `dip` (m) of the key's front.
+    /// Returns the bound of a key with a force of at most `limit` (N), over its whole `dip` (m).
     pub fn of_force_limit(limit: f64, dip: f64) -> Self {
         Self { stored: limit * dip, leak: Self::LEAK }
     }
@@ -47,9 +45,7 @@ impl PassivityObserver {
     }
 
     /// Returns `true` if all energy returned until `tick`, at `position` (m), can have been put in.
-    ///
-    /// Adds the work since the previous tick, if [`Self::hold`] recorded its force; the force in
-    /// skipped ticks is unknown.
+    /// Adds the work since the previous tick if [`Self::hold`] recorded its force.
     ///
     /// # Real-time
     /// Six operations.

@@ -60,7 +60,6 @@ impl Resistance {
     }
 
     /// Returns the velocity `v` that solves inertia · v = impulse + h · push(v), in (m/s).
-    ///
     /// `inertia` (kg) includes other resistances to the velocity, `impulse` (N s) all that does not
     /// depend on it. The right side never rises with `v`, so there is exactly one solution.
     pub(super) fn solve(&self, inertia: f64, impulse: f64, h: f64) -> f64 {

@@ -159,9 +159,7 @@ impl Finger {
     }
 
     /// Advances by one substep `h` (s) towards the commanded `position` (m) and `velocity` (m/s),
-    /// against the `contact` force (N).
-    ///
-    /// Semi-implicit Euler with the muscle at the end of the substep, stable for any stiffness.
+    /// against the `contact` force (N). Semi-implicit Euler, stable for any stiffness.
     ///
     /// # Real-time
     /// One division; no loop.

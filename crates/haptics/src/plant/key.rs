@@ -57,11 +57,9 @@ impl KeyFront {
         self.velocity
     }
 
-    /// Advances by one substep `h` (s) under the outer `force` (N), up positive.
-    ///
-    /// Semi-implicit Euler, order 1: forces at the old position, damping and felts at the new
-    /// velocity, then the position with the new velocity. Mechanical energy, felts included, never
-    /// grows without an outer force, for any `h`.
+    /// Advances by one substep `h` (s) under the outer `force` (N), up positive. Semi-implicit
+    /// Euler, order 1: forces at the old position, damping and felts at the new velocity, then the
+    /// position with the new velocity. Without outer force, energy never grows.
     ///
     /// # Real-time
     /// Two divisions; no loop.
@@ -106,7 +104,6 @@ impl KeyFront {
         self.resistance(h).solve(inertia, momentum + h * push, h)
     }
 
-    /// Returns the resistance of the nearer felt over `h` (s).
     fn resistance(&self, h: f64) -> Resistance {
         let KeyParameters { rest_stop, bottom_stop, .. } = &self.parameters;
         if self.position - rest_stop.position < bottom_stop.position - self.position {

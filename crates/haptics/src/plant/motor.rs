@@ -81,7 +81,6 @@ struct Lag {
 }
 
 impl Lag {
-    /// Returns the fraction of the gap that is closed within `h` (s).
     fn share(&mut self, h: f64) -> f64 {
         if h - self.h != 0.0 {
             self.h = h;
@@ -106,7 +105,6 @@ impl DelayLine {
         Self { places: [0.0; MAX_DELAY_STEPS], length, next: 0, pending: 0 }
     }
 
-    /// Records a change of the command.
     const fn disturb(&mut self) {
         self.pending = self.length;
     }

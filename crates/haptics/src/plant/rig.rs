@@ -66,9 +66,8 @@ impl Default for RigParameters {
         };
         Self {
             key: KeyParameters {
-                // E: key stick of 2.7e-3 kg m² at 0.2595 m from the balance rail. With 35 g the
-                // loops of grand-springs at 500 Hz and grand-reduced at 4 kHz with the slow filter
-                // make energy.
+                // E: key stick of 2.7e-3 kg m² at 0.2595 m from the balance rail. With 35 g,
+                // grand-springs at 500 Hz and grand-reduced at 4 kHz (slow filter) make energy.
                 mass: 0.040,
                 // E: eddy-current damper, so that a 1 kHz loop can hold 2 b / T = 2 kN/m.
                 damping: 1.0,
@@ -107,7 +106,6 @@ enum Playing {
     Nothing,
     /// A gesture with its start (s).
     Gesture(f64),
-    /// A path of time.
     Path,
     /// Hand that holds the key, see [`KeyRig::hold`].
     Hand,
@@ -151,15 +149,11 @@ impl KeyRig {
     }
 
     /// Advances by one tick, from `t` to `t + h` (s), with `force` (N) on the finger, up positive,
-    /// commanded throughout.
-    ///
-    /// The finger is present while `gesture` is given and active; a gesture with another start
-    /// places a new finger at its command. `h` must be finite and positive; other values only set
-    /// the force.
+    /// commanded throughout. The finger is present while `gesture` is given and active; a gesture
+    /// with another start places a new finger at its command. An invalid `h` only sets the force.
     ///
     /// # Real-time
-    /// A number of substeps that depends on `h` only: one per [`MAX_SUBSTEP`] or part of it, at
-    /// most [`MAX_SUBSTEPS`].
+    /// One substep per [`MAX_SUBSTEP`] or part of it in `h`, at most [`MAX_SUBSTEPS`].
     pub fn advance(&mut self, t: f64, h: f64, force: f64, gesture: Option<&Gesture>) {
         self.tick((t, h), force, |rig, t, h| match (rig.held, gesture) {
             (Some(place), _) => rig.lead_hand(h, place),
@@ -267,7 +261,6 @@ impl KeyRig {
         }
     }
 
-    /// Moves the finger along its gesture; returns the contact force (N).
     fn play(&mut self, t: f64, h: f64, gesture: &Gesture) -> f64 {
         let is_here =
             matches!(self.playing, Playing::Gesture(start) if start - gesture.start == 0.0);
@@ -278,7 +271,6 @@ impl KeyRig {
         self.press(h, gesture.command(t + h))
     }
 
-    /// Moves the finger along its path; returns the contact force (N).
     fn lead(&mut self, t: f64, h: f64, path: impl Fn(f64) -> MuscleCommand) -> f64 {
         if self.playing != Playing::Path {
             self.playing = Playing::Path;
@@ -304,7 +296,6 @@ impl KeyRig {
         contact
     }
 
-    /// Removes the finger; returns its contact force, 0 (N).
     fn rest(&mut self) -> f64 {
         if self.playing != Playing::Nothing {
             self.playing = Playing::Nothing;

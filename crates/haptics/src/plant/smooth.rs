@@ -18,7 +18,6 @@ pub(super) fn quintic(x: f64) -> f64 {
     x * x * x * (10.0 + x * (6.0 * x - 15.0))
 }
 
-/// Slope of [`quintic`].
 pub(super) fn quintic_slope(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     let hump = x * (1.0 - x);

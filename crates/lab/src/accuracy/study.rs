@@ -14,7 +14,6 @@ use pode::Stepper;
 pub(super) trait Study {
     fn plan(&self) -> Plan;
 
-    /// Runs, judges and times one setting.
     fn run(
         &self,
         scenario: &'static str,
@@ -43,8 +42,7 @@ impl<S: Scenario> Study for S {
         Scenario::plan(self)
     }
 
-    /// Observes and times the run as the host does, with a method that is one of several: code is
-    /// compiled once per type of scenario.
+    /// Runs as the host does, with one type for all methods, so that less code is compiled.
     fn run(
         &self,
         scenario: &'static str,

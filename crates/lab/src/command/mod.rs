@@ -77,7 +77,6 @@ fn prepare_report(folder: Option<&Path>) -> Result<(), Failure> {
     prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))
 }
 
-/// Prints the path of the report's page, if a folder was given.
 fn print_page(folder: Option<&Path>, page: &str, out: &mut dyn Write) -> Result<(), Failure> {
     let page = folder.map(|folder| folder.join(page)).unwrap_or_default();
     Ok(writeln!(out, "{}", shown(&page))?)

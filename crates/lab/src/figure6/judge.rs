@@ -105,7 +105,6 @@ struct TrueSample {
     energy: f64,
 }
 
-/// Reads the true values from the reference of `scenario`.
 pub(super) fn truth(scenario: &impl Scenario<Model = SmallModel>) -> Truth {
     let (model, first, state) = scenario.start();
     let reference: &Reference<SmallModel> = scenario.reference();
@@ -143,7 +142,6 @@ pub(super) fn compare(
     StepKind::ALL.map(judged).into()
 }
 
-/// Returns the number of steps until `until` (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
 pub(super) fn steps(until: f64) -> usize {
     (until / STEP).round() as usize

@@ -40,7 +40,6 @@ pub fn figure6(pace: Pace) -> Result<Figure6, BadFile> {
     })
 }
 
-/// Returns the angle of the hammer at the string (rad).
 fn string_angle(model: &SmallModel) -> f64 {
     let input = Motion::default();
     let (mode, state) = model.at_rest(&input);

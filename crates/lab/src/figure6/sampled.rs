@@ -70,10 +70,9 @@ impl<'a> SampledModel<'a> {
         guards.filter(is_broken).min_by_key(|spec| spec.priority).copied()
     }
 
-    /// Continues in the mode and with the speeds of the reset map of `guard`, from `t` (s) on.
-    ///
-    /// The angles do not change: at the string the paper reversed only the sign of a speed, though
-    /// the hammer was already beyond it. `[GC93]` §5.1
+    /// Continues in the mode and with the speeds of the reset map of `guard`, from `t` (s) on. The
+    /// angles do not change: at the string the paper reversed only the sign of a speed, though the
+    /// hammer was already beyond it. `[GC93]` §5.1
     fn switch(&mut self, guard: GuardSpec, t: f64, s: f64) {
         let reset = self.model.reset(self.mode, guard.id, &self.state, &still(s));
         let [from, to] = [self.mode, reset.mode].map(|mode| mode_name(self.model, mode));

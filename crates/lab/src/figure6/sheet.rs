@@ -32,7 +32,6 @@ const BESIDE: &str = "The first figure's gesture once more: the force under the 
     taken, against that under the way of the handle between them. What both have in common is the \
     encoder, whose line is 0.3 N, and the input that is held.";
 
-/// The paper's description of its figure.
 const STORY: &str = "The paper's text: held still for 0.3 s, thrown, free, caught at 0.9 s, thrown \
     harder so that the string was hit, landed at 1.5 s, bounced several times.";
 
@@ -137,7 +136,6 @@ fn rig_table() -> Table {
     Table::new(columns).with(hand::values().iter().map(row))
 }
 
-/// Formats four significant digits, as short as possible.
 fn short(value: f64) -> String {
     trimmed(&format!("{value:.4}")).to_owned()
 }

@@ -91,9 +91,8 @@ impl FitCertainty {
     }
 }
 
-/// Returns Student's t, with 95 % between -t and t, for these degrees of freedom.
-///
-/// Abramowitz & Stegun 26.7.5, correct to 1 % from 3 degrees on; fewer count as 3.
+/// Returns Student's t, with 95 % between -t and t, for these degrees of freedom. Abramowitz &
+/// Stegun 26.7.5, correct to 1 % from 3 degrees on; fewer count as 3.
 fn student(freedom: f64) -> f64 {
     const Z: f64 = 1.959_964;
     let v = freedom.max(3.0);

@@ -8,9 +8,7 @@ use documents::{choice, quoted, shown};
 
 /// Allowed columns; the first is optional.
 const COLUMNS: [&str; 3] = ["time_s", "travel_m", "force_n"];
-/// Maximum reported mistakes of a file.
 const MOST_MISTAKES: usize = 10;
-/// Minimum rows of a stroke.
 const FEWEST_ROWS: usize = 5;
 /// Gap without rows, in median intervals.
 const GAP: f64 = 10.0;

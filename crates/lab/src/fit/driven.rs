@@ -32,8 +32,7 @@ pub(super) struct DrivenStroke {
 
 impl DrivenStroke {
     /// Prepares `stroke`, and estimates the noise of its force (N) if none is stated. Noise in the
-    /// travel becomes noise in the force where the force is steep: both add as variances
-    /// (Orear 1982).
+    /// travel becomes noise in the force where the force is steep (Orear 1982).
     pub(super) fn new(stroke: &MeasuredStroke, force_noise: Option<f64>) -> Self {
         let rows = &stroke.rows;
         let travels: Vec<_> = rows.iter().map(|row| row.travel).collect();

@@ -17,9 +17,8 @@ fn apart(a: &Differences, b: &Differences) -> f64 {
 }
 
 /// Returns a step of each parameter in `fitted` (its unit) that moves the forces by about half of
-/// the differences `now`, or of the noise. It is far above the rounding of the simulation, wide
-/// enough that a jump moves over a row, and wide enough far from the data that a search does not
-/// end between two jumps.
+/// the differences `now`, or of the noise. It is far above the rounding of the simulation, and wide
+/// enough that a jump moves over a row and a search does not end between two jumps.
 pub(super) fn steps(
     task: &FitTask<'_>,
     fitted: &[usize],

@@ -17,10 +17,8 @@ const FAILED: f64 = 1e6;
 /// Distance in steps from an end of its range at which a parameter starts, so that it can move.
 const BESIDE: f64 = 0.1;
 
-/// A parameter and its unbounded search variable:
-/// p = low + (high - low)/(1 + exp(-u)), u = u0 + slope x.
-///
-/// Near an end of the range it is a logarithm, so a positive value may change by orders.
+/// A parameter and its unbounded search variable: p = low + (high - low)/(1 + exp(-u)), u = u0 +
+/// slope x. Near an end of the range it is a logarithm, so a positive value may change by orders.
 #[derive(Clone, Copy, Debug)]
 struct BoundedVariable {
     low: f64,

@@ -9,8 +9,7 @@ use serde::Serialize;
 /// Negative share of |Z| in Re Z that is significant: linearisation leaves a millionth.
 const CERTAIN: f64 = 1e-4;
 
-/// Standard errors of Re Z that are significant, and the least coherence of a point that is
-/// judged: below it the error is unknown.
+/// Significant standard errors of Re Z, and the coherence below which the error is unknown.
 const ERRORS: f64 = 3.0;
 const COHERENT: f64 = 0.5;
 

@@ -128,7 +128,6 @@ pub(crate) trait ScenarioVisitor {
 }
 
 impl ScenarioEntry {
-    /// Builds the scenario and passes it to `visitor`.
     #[expect(clippy::large_stack_frames, reason = "once for a scenario")]
     pub(crate) fn visit<V: ScenarioVisitor>(&self, visitor: V) -> Result<V::Output, BadFile> {
         Ok(match self.build {

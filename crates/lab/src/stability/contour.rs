@@ -6,11 +6,9 @@ pub(super) type MapPlace = (f64, f64);
 /// Squares along each side.
 const SQUARES: usize = 96;
 
-/// Returns the lines in the unit square along which `margin` is zero.
-///
-/// In each square of a grid the zeros on the edges are joined, interpolated between the corners;
-/// of four zeros, the two nearest. Neighbours share the zero on their common edge bit for bit, so
-/// the segments can be joined.
+/// Returns the lines in the unit square along which `margin` is zero. In each square of a grid the
+/// zeros on the edges are joined, interpolated between the corners; of four zeros, the two nearest.
+/// Neighbours share the zero on their common edge bit for bit, so the segments can be joined.
 pub(super) fn zero_lines(margin: &dyn Fn(MapPlace) -> f64) -> Vec<Vec<MapPlace>> {
     let at = |place: usize| place as f64 / SQUARES as f64;
     let row = |y: usize| (0..=SQUARES).map(|x| margin((at(x), at(y)))).collect::<Vec<_>>();

@@ -114,28 +114,19 @@ mod tests {
     use super::*;
     use crate::note::{Note, Velocity};
 
-    /// FIFO of one test, removed after it.
-    struct Fifo(PathBuf);
-
-    impl Fifo {
-        fn new(name: &str) -> Self {
-            let path = std::env::temp_dir().join(format!("letoff-{}-{name}", std::process::id()));
+    /// Returns a FIFO, removed after its test.
+    fn fifo() -> tempfile::TempPath {
+        let make = |path: &Path| {
             let mode = rustix::fs::Mode::RUSR | rustix::fs::Mode::WUSR;
-            rustix::fs::mknodat(rustix::fs::CWD, &path, rustix::fs::FileType::Fifo, mode, 0)
-                .unwrap();
-            Self(path)
-        }
-
-        fn reader(&self) -> File {
-            let flags = i32::try_from(OFlags::NONBLOCK.bits()).unwrap();
-            OpenOptions::new().read(true).custom_flags(flags).open(&self.0).unwrap()
-        }
+            rustix::fs::mknodat(rustix::fs::CWD, path, rustix::fs::FileType::Fifo, mode, 0)?;
+            Ok(())
+        };
+        tempfile::Builder::new().make(make).unwrap().into_temp_path()
     }
 
-    impl Drop for Fifo {
-        fn drop(&mut self) {
-            fs::remove_file(&self.0).unwrap();
-        }
+    fn reader(fifo: &Path) -> File {
+        let flags = i32::try_from(OFlags::NONBLOCK.bits()).unwrap();
+        OpenOptions::new().read(true).custom_flags(flags).open(fifo).unwrap()
     }
 
     fn note() -> Note {
@@ -155,24 +146,24 @@ mod tests {
 
     #[test]
     fn a_fifo_carries_the_bytes_of_a_cable() {
-        let fifo = Fifo::new("carries");
-        let mut reader = fifo.reader();
-        let mut port = RawPort::open(&fifo.0).unwrap();
+        let fifo = fifo();
+        let mut reader = reader(&fifo);
+        let mut port = RawPort::open(&fifo).unwrap();
         port.send(0.0, on()).unwrap();
         assert_eq!(read(&mut reader), [0x90, 60, 127]);
     }
 
     #[test]
     fn a_reader_that_comes_back_hears_note_offs_first() {
-        let fifo = Fifo::new("back");
+        let fifo = fifo();
         let mut port = {
-            let _reader = fifo.reader();
-            let mut port = RawPort::open(&fifo.0).unwrap();
+            let _reader = reader(&fifo);
+            let mut port = RawPort::open(&fifo).unwrap();
             port.send(0.0, on()).unwrap();
             port
         };
         assert!(port.send(1.0, on()).is_err(), "nobody reads");
-        let mut reader = fifo.reader();
+        let mut reader = reader(&fifo);
         port.send(2.5, on()).unwrap();
         let bytes = read(&mut reader);
         assert_eq!(bytes[..3], [0x80, 60, 64]);
@@ -181,9 +172,9 @@ mod tests {
 
     #[test]
     fn what_is_no_device_is_refused_and_left_alone() {
-        let fifo = Fifo::new("refused");
+        let fifo = fifo();
         let refused = |path: &Path| RawPort::open(path).unwrap_err().to_string();
-        assert!(refused(&fifo.0).contains("start the reader first"), "{}", refused(&fifo.0));
+        assert!(refused(&fifo).contains("start the reader first"), "{}", refused(&fifo));
         let nowhere = Path::new("/dev/snd/midiC99D0");
         assert!(refused(nowhere).contains("there is no such file"), "{}", refused(nowhere));
         let folder = std::env::temp_dir();

@@ -190,27 +190,6 @@ mod tests {
         Message::NoteOn { note: Note::from_key(key).unwrap(), velocity: Velocity::UNKNOWN }
     }
 
-    /// Folder of one test, removed after it.
-    struct Folder(PathBuf);
-
-    impl Folder {
-        fn join(&self, name: &str) -> PathBuf {
-            self.0.join(name)
-        }
-    }
-
-    impl Drop for Folder {
-        fn drop(&mut self) {
-            fs::remove_dir_all(&self.0).unwrap();
-        }
-    }
-
-    fn folder(name: &str) -> Folder {
-        let path = std::env::temp_dir().join(format!("letoff-smf-{}-{name}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Folder(path)
-    }
-
     /// Returns the times (s) of all channel events in a file.
     fn times(bytes: &[u8]) -> Vec<f64> {
         let smf = midly::Smf::parse(bytes).unwrap();
@@ -228,8 +207,8 @@ mod tests {
 
     #[test]
     fn a_file_read_back_has_every_time_to_50_us() {
-        let folder = folder("times");
-        let path = folder.join("played.mid");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("played.mid");
         let mut smf = Smf::new(&path);
         // The last two lie further apart than one event can express.
         let wanted = [0.0, 1.0 / 3.0, 0.333_35, 12.345_678_9, 3_600.000_07, 40_000.5];
@@ -246,8 +225,8 @@ mod tests {
 
     #[test]
     fn finishing_again_and_recording_on_keeps_everything() {
-        let folder = folder("again");
-        let path = folder.join("played.mid");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("played.mid");
         let mut smf = Smf::new(&path);
         smf.send(0.0, note_on(1)).unwrap();
         smf.finish().unwrap();
@@ -256,13 +235,13 @@ mod tests {
         smf.send(1.0, note_on(2)).unwrap();
         smf.finish().unwrap();
         assert_eq!(times(&fs::read(&path).unwrap()).len(), 2);
-        assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 1, "nothing else is left behind");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "nothing else is left behind");
     }
 
     #[test]
     fn a_file_ends_with_its_last_notes_also_in_an_emergency() {
-        let folder = folder("end");
-        let path = folder.join("played.mid");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("played.mid");
         let mut player = Player::new(Smf::new(&path), VelocityCurve::default());
         let kind = NoteEventKind::Strike { speed: 1.0, velocity: None };
         player.play(NoteEvent { key: 39, at: 0.5, kind }).unwrap();
@@ -276,8 +255,8 @@ mod tests {
 
     #[test]
     fn messages_out_of_order_are_written_in_order() {
-        let folder = folder("order");
-        let path = folder.join("played.mid");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("played.mid");
         let mut smf = Smf::new(&path);
         smf.send(2.0, note_on(1)).unwrap();
         smf.send(1.0, note_on(2)).unwrap();
@@ -303,8 +282,8 @@ mod tests {
 
     #[test]
     fn a_folder_that_is_not_there_is_reported() {
-        let folder = folder("none");
-        let mut smf = Smf::new(folder.join("absent/played.mid"));
+        let folder = tempfile::tempdir().unwrap();
+        let mut smf = Smf::new(folder.path().join("absent/played.mid"));
         assert!(matches!(smf.finish(), Err(MidiSendError::Write { messages: 0, .. })));
     }
 

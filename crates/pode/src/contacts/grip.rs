@@ -23,8 +23,7 @@ impl<M: GuardedContacts> Friction<'_, M> {
         }
     }
 
-    /// Returns `true` if the slip speed is zero within the width to which a guard of the friction,
-    /// or of its contact, was located.
+    /// Returns `true` if the slip speed is zero within the width of a located guard.
     pub(super) fn is_stopped(&self) -> bool {
         let zero = match self.point.mode.contacts.state(self.contact) {
             ContactState::Stick => self.spec.slack,
@@ -47,8 +46,7 @@ impl<M: GuardedContacts> Friction<'_, M> {
         }
     }
 
-    /// Limit² − force² relative to the friction's size, and its rate; negative where no force of
-    /// this friction can hold.
+    /// Limit² − force² relative to the friction's size, and its rate; below 0 if none holds.
     fn stick_guard(&self) -> GuardValue {
         let slip = self.point.slip(self.contact);
         if slip.value.abs() > self.spec.slack {
@@ -65,9 +63,8 @@ impl<M: GuardedContacts> Friction<'_, M> {
         GuardValue::new(value, (late - early) / (2.0 * dt))
     }
 
-    /// Returns the slip acceleration, if it is more than rounding.
-    ///
-    /// It is not zero at a held friction if others have taken away its force's effect.
+    /// Returns the slip acceleration, if it is more than rounding. It is not zero at a held
+    /// friction if others have taken away its force's effect.
     fn moves(&self, slip: &Surface<M::State>, motion: &ContactMotion<M::State>) -> Option<f64> {
         /// Fraction of the acceleration by the friction's own force that counts as zero.
         const PART: f64 = 1e-10;
@@ -111,8 +108,7 @@ impl<M: GuardedContacts> Friction<'_, M> {
         grip.value > UNIT.band() + lost || (grip.value.abs() <= UNIT.band() && grip.rate >= 0.0)
     }
 
-    /// Returns the slip's direction if let go: its acceleration's if it cannot be held, otherwise
-    /// against the holding force.
+    /// Returns the slip's direction if let go: its acceleration's, or against the holding force.
     pub(super) fn slip_direction(&self) -> ContactState {
         let motion = self.point.motion();
         let left = self.moves(&self.point.slip(self.contact), &motion);

@@ -13,8 +13,7 @@ pub enum TooManyGuards {
     /// Number of contacts, more than [`MAX_CONTACTS`].
     Contacts(usize),
     Frictions,
-    /// More guards than [`MAX_GUARDS`](crate::MAX_GUARDS): those of the structure, and one for each
-    /// contact and each friction.
+    /// More guards than [`MAX_GUARDS`](crate::MAX_GUARDS), with one per contact and friction.
     Guards,
     /// Structure guard whose id is not below 128.
     Id(GuardId),

@@ -2,9 +2,8 @@
 
 use crate::contacts::MAX_FRICTIONS;
 
-/// Change of the slip accelerations per unit of each force: row by slip, column by force.
-///
-/// Symmetric and without negative eigenvalues where slips and forces match, as in mechanics.
+/// Change of the slip accelerations per unit of each force: row by slip, column by force. Symmetric
+/// and without negative eigenvalues where slips and forces match, as in mechanics.
 pub(super) type Mobility = [[f64; MAX_FRICTIONS]; MAX_FRICTIONS];
 
 pub(super) type PerFriction = [f64; MAX_FRICTIONS];

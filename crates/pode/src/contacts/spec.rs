@@ -9,8 +9,7 @@ pub const MAX_FRICTIONS: usize = 16;
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ContactSpec {
     pub name: &'static str,
-    /// Typical size of the gap's terms (m), to distinguish motion from rounding; `None` for a
-    /// bearing, which never opens.
+    /// Typical size of the gap's terms (m), above rounding; `None` for a bearing.
     pub gap: Option<f64>,
     pub friction: Option<FrictionSpec>,
 }

@@ -42,8 +42,7 @@ pub trait ContactSystem: Sized {
     /// How many leading entries of the state are coordinates.
     const COORDS: usize;
 
-    /// Returns how many leading entries of the state are coordinates, where that is a matter of the
-    /// values of the system.
+    /// Returns the number of leading coordinates, which may depend on values of the system.
     #[inline]
     fn coordinates(&self) -> usize {
         Self::COORDS
@@ -52,8 +51,7 @@ pub trait ContactSystem: Sized {
     /// Returns the contacts and bearings; their number may come from a file.
     fn contacts(&self) -> &[ContactSpec];
 
-    /// Returns the gap between the surfaces of an open or closed contact (m), and its rate:
-    /// negative while they press.
+    /// Returns the gap between a contact's surfaces (m), negative while they press, and its rate.
     fn gap(
         &self,
         structure: Self::Structure,
@@ -84,8 +82,7 @@ pub trait ContactSystem: Sized {
         0.0
     }
 
-    /// Returns the slopes of the readout with these contacts as they are; none where differences
-    /// are to be taken.
+    /// Returns the readout's slopes with these contacts; `None` requests differences.
     fn slopes(
         &self,
         _structure: Self::Structure,
@@ -96,8 +93,7 @@ pub trait ContactSystem: Sized {
         None
     }
 
-    /// Returns what is constant while these contacts touch; [`Nature::longest_projection`] is that of
-    /// the structure.
+    /// Returns the constants with these contacts; only the structure limits projections.
     fn nature(&self, _structure: Self::Structure, _contacts: ContactSet) -> Nature {
         Nature::default()
     }
@@ -107,8 +103,7 @@ pub trait ContactSystem: Sized {
 ///
 /// One without friction needs no more than `impl FrictionalContacts for X {}`.
 pub trait FrictionalContacts: ContactSystem {
-    /// A time (s) in which the motion changes little, and over which the rate of a holding
-    /// force is taken by differences.
+    /// A time (s) of little motion, over which rates of holding forces are differenced.
     const MOMENT: f64 = 1e-6;
 
     /// Returns the slip speed of a closed contact with friction (m/s), with its derivatives.
@@ -123,10 +118,8 @@ pub trait FrictionalContacts: ContactSystem {
     }
 
     /// Returns what a friction force of 1 N in the direction of positive slip adds to the
-    /// derivative: a matter of `x` alone, since friction enters linearly.
-    ///
-    /// Force and slip belong together: their product is a power. Then the slip accelerations
-    /// depend on the forces by a symmetric matrix.
+    /// derivative: a matter of `x` alone, since friction enters linearly. Force times slip is a
+    /// power, so that the forces act by a symmetric matrix.
     fn response(
         &self,
         _structure: Self::Structure,
@@ -154,8 +147,7 @@ pub trait FrictionalContacts: ContactSystem {
 ///
 /// One with a single structure needs no more than `impl GuardedContacts for X {}`.
 pub trait GuardedContacts: FrictionalContacts {
-    /// Returns the guards of all structural modes, with ids below 128 and priorities below 64:
-    /// walls, latches, what ends a structure.
+    /// Returns the guards of all structural modes, with ids below 128 and priorities below 64.
     fn structure_guards(&self) -> &[GuardSpec] {
         &[]
     }
@@ -209,10 +201,9 @@ pub trait GuardedContacts: FrictionalContacts {
         *x
     }
 
-    /// Applies the reset map of a guard of the structure; the contacts follow by themselves.
-    ///
-    /// A friction of finite force takes no part in an impulse: where it leaves a slip speed,
-    /// a contact that held slides from there.
+    /// Applies the reset map of a guard of the structure; the contacts follow by themselves. A
+    /// friction of finite force takes no part in an impulse: where it leaves a slip speed, a
+    /// contact that held slides from there.
     fn reset(
         &self,
         structure: Self::Structure,

@@ -2,8 +2,7 @@ use core::fmt::Debug;
 
 use crate::input::Motion;
 
-/// An input that extrapolates itself by its own rates, so that a surface that moves with it has a
-/// rate, and the rate has one.
+/// An input that extrapolates itself by its rates, so that a moving surface has two rates.
 pub trait Continued: Copy + PartialEq + Debug + Send {
     /// Returns the input `dt` (s) later, or earlier if negative.
     #[must_use]

@@ -8,10 +8,9 @@ pub(super) enum Heading {
     Still,
 }
 
-/// Returns the heading by the rate h' (1/s) and its own `change` h'' (1/s²).
-///
-/// A rate counts as zero if it is within rounding, `rate_band`, or if its change turns it before it
-/// has moved h by `height_band`, the rounding of h itself. No other threshold, step or time enters.
+/// Returns the heading by the rate h' (1/s) and its own `change` h'' (1/s²). A rate counts as zero
+/// if it is within rounding, `rate_band`, or if its change turns it before it has moved h by
+/// `height_band`, the rounding of h itself. No other threshold, step or time enters.
 pub(super) fn heading(
     (rate, change): (f64, f64),
     height_band: f64,

@@ -119,10 +119,9 @@ impl<M: Sided> Guarded for Filippov<M> {
     }
 }
 
-/// Distance of the state from the surface on its `side`.
-///
-/// A side entered tangentially, at the end of a slide, starts at zero with a rate of either sign by
-/// rounding. A rate that its own change makes up for counts as zero.
+/// Distance of the state from the surface on its `side`. A side entered tangentially, at the end of
+/// a slide, starts at zero with a rate of either sign by rounding. A rate that its change makes up
+/// for is zero.
 fn distance<M: Sided>(point: &SurfacePoint<'_, M>, side: SurfaceSide) -> GuardValue {
     let surface = point.surface();
     let height = side.sign() * surface.value;

@@ -98,8 +98,7 @@ impl<'a, M: Sided> SurfacePoint<'a, M> {
         if step.is_finite() { self.x.plus(-step, &surface.gradient) } else { *self.x }
     }
 
-    /// Returns the point of the surface reached along f₊ − f₋; the state itself if that direction
-    /// does not lead there, or not soon.
+    /// Returns the surface point along f₊ − f₋; the state itself if none is near.
     pub(super) fn back(&self) -> M::State {
         let limits = self.limits();
         // Shift (s) of the share's change that would have kept the state on the surface.

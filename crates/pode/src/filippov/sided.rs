@@ -72,8 +72,7 @@ pub trait Sided {
     /// Typical size of the one-sided rates of h (1/s).
     const RATE: f64;
     /// Largest jump of the surface, where the input jumps, that a sliding state follows; a larger
-    /// one tears it off, onto a side. An input built from samples jumps a little at each tick:
-    /// declare its largest jump.
+    /// one tears it off, onto a side. For a sampled input declare its largest jump.
     const SLACK: f64 = Self::SIZE / 64.0;
 
     fn derivative(&self, branch: Branch, x: &Self::State, input: &Self::Input) -> Self::State;

@@ -46,8 +46,7 @@ impl Move {
     }
 }
 
-/// Returns the number of impacts within `rest` (s), less than `after`: the n-th one happens at
-/// `after (1 − ratioⁿ)`.
+/// Returns the number of impacts within `rest` < `after` (s); the n-th is at `after (1 − ratioⁿ)`.
 fn impacts_within(rest: f64, after: f64, ratio: f64) -> f64 {
     math::floor(math::ln(1.0 - rest / after) / math::ln(ratio))
 }

@@ -90,8 +90,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 }
 
-/// Evaluates the true guard on both sides of the only root of its `series` between two places, as
-/// close to it as `rest` permits.
+/// Evaluates the true guard on both sides of its `series`' only root, as close as `rest` permits.
 fn shut_in(
     series: &GuardPolynomial,
     (mut lo, mut hi): (f64, f64),

@@ -107,8 +107,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok(found)
     }
 
-    /// Evaluates a guard at the end of a step that moves it within `bound`; returns it if it may
-    /// have reached zero in the step.
+    /// Evaluates a guard after a step with `bound`; returns it if it may have reached zero.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     fn look<S: Signal<M::Input>, W>(
@@ -189,8 +188,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok((first, certainty))
     }
 
-    /// Returns `true` if the reset map of a spent, sinking guard would turn it up from the step's
-    /// end, at `x` and `input`.
+    /// Returns `true` if the reset map of a sinking guard would turn it up at `x` and `input`.
     fn would_turn<S, W>(
         &self,
         run: &mut TickRun<'_, S, W>,

@@ -232,8 +232,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Ends a step that began with `input` at its first crossing, or keeps it whole if there is
-    /// none. Returns the input at its end.
+    /// Ends a step that began with `input` at its first crossing, if any; returns the input there.
     #[cold]
     #[inline(never)]
     fn cross<S: Signal<M::Input>, W: Watch<M>>(

@@ -113,8 +113,7 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         ModeField::new(self.model, (self.mode, index, part), self.signal, theta, self.input)
     }
 
-    /// Returns the mode's only part, or several taken as one; `None` where they are stepped apart,
-    /// and where nothing moves.
+    /// Returns the mode's only part, or several as one; `None` if stepped apart or nothing moves.
     #[inline]
     fn whole(&self) -> Option<Part> {
         let length = M::State::ZERO.entries().len();
@@ -177,8 +176,7 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         field.count(work);
     }
 
-    /// Steps one of several parts: by the step ahead, or by a new one at least as long as the
-    /// mode's.
+    /// Steps one of several parts by the step ahead, or by a new one of the mode's length or more.
     fn take_part(
         &self,
         (index, part): (usize, Part),

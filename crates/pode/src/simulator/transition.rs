@@ -16,7 +16,6 @@ pub(super) struct EventReport<'a> {
     pub(super) cause: EventCause<'a>,
     /// Error of its time (s).
     pub(super) error: f64,
-    /// Distance by which it moves a coordinate onto a constraint.
     pub(super) projection: f64,
 }
 

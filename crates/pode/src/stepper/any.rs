@@ -356,8 +356,7 @@ impl Any {
     pub const TOLERANT: &[&str] =
         &[ByNeed::NAME, BogackiShampine::NAME, Tsitouras5::NAME, Dop853::NAME];
 
-    /// Returns the name of the method that steps in a mode of this `nature`: its own, unless it
-    /// hands the mode on.
+    /// Returns the name of the method that steps in a mode of this `nature`, after delegation.
     pub fn name_in(&self, nature: &Nature) -> &'static str {
         if let Self::ByNeed(method) = self {
             method.choice(nature, f64::INFINITY).method.name()

@@ -4,8 +4,7 @@ use crate::state::State;
 use crate::stepper::exact::{Exact, FlowOrCubic, RoundingCarry};
 use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
 
-/// Chooses the method and the step for each mode, by the model's nature of it, that meet an error
-/// budget at the least cost.
+/// Chooses the cheapest method and step for each mode, by its nature, within an error budget.
 ///
 /// Linear modes get their exact flow, stiff ones RODAS3 at the model's own step, the others the
 /// cheapest of the [`MENU`] by evaluations per tick. The exact flow's memory is carried, and void
@@ -127,9 +126,7 @@ impl ByNeed {
     }
 
     /// Returns the line of the menu that meets the budget with the fewest evaluations per tick; of
-    /// equals, the one with the smaller error.
-    ///
-    /// The step does not influence the line: shorter steps keep the method, with a smaller error.
+    /// equals, the one with the smaller error. Shorter steps keep the method.
     #[inline]
     fn cheapest(&self, nature: &Nature, own: f64) -> Choice {
         let radians = nature.rate * self.tick;

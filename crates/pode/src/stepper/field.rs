@@ -23,8 +23,7 @@ pub trait Field<S: State> {
         differences(x, |x| self.derivative(tau, x))
     }
 
-    /// Expands the solution from the start of the step as `out` requests, in units of the step;
-    /// `false` if it has no series.
+    /// Expands the solution from the step's start, in its units; `false` if it has no series.
     fn expand(&mut self, _out: &mut Expansion<S>) -> bool {
         false
     }

@@ -4,8 +4,7 @@ use crate::stepper::rosenbrock::{Tableau, weighted};
 use crate::stepper::time_slope::time_slope;
 use crate::stepper::{Field, Step, Stepper};
 
-/// Order 3, linearly implicit: 5 evaluations, one Jacobian, one LU, with an embedded
-/// estimate of order 2.
+/// Order 3, linearly implicit: 5 evaluations, one Jacobian, one LU, an estimate of order 2.
 ///
 /// Three evaluations are for the four stages, two of which share one, and two for ∂f/∂t, by a
 /// difference of second order. Dense output: of order 2 from the same stages, bounded in a stiff
@@ -17,9 +16,8 @@ use crate::stepper::{Field, Step, Stepper};
 ///
 /// # References
 /// `[SVB97]` (RODAS3); the form without products `[HW96]` IV.7, eq. 7.25. The dense output is our
-/// own:
-/// b1 + b2 + b3 + b4 = τ, Σ bᵢ βᵢ = τ²/2, b3 + b4 = τ³/3 (no choice meets the fourth
-/// condition of order 3), and b4 = τ³/2 for a quiet middle.
+/// own: b1 + b2 + b3 + b4 = τ, Σ bᵢ βᵢ = τ²/2, b3 + b4 = τ³/3 (no choice meets the fourth condition
+/// of order 3), and b4 = τ³/2 for a quiet middle.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Rodas3;
 

@@ -4,8 +4,7 @@ use crate::stepper::rosenbrock::{Tableau, weighted};
 use crate::stepper::time_slope::time_slope;
 use crate::stepper::{Field, Step, Stepper};
 
-/// Order 4, linearly implicit: 9 evaluations, one Jacobian, one LU, with an embedded
-/// estimate of order 3.
+/// Order 4, linearly implicit: 9 evaluations, one Jacobian, one LU, an estimate of order 3.
 ///
 /// Six evaluations are for the stages and three for ∂f/∂t, by a difference of third order. Dense
 /// output: the pair's own of order 3 from the same stages; its local error h⁴ keeps event times at

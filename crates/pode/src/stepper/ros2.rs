@@ -4,8 +4,7 @@ use crate::stepper::rosenbrock::{Tableau, weighted};
 use crate::stepper::time_slope::time_slope;
 use crate::stepper::{Field, Step, Stepper};
 
-/// Order 2, linearly implicit: 3 evaluations, one Jacobian, one LU, with an embedded
-/// estimate of order 1.
+/// Order 2, linearly implicit: 3 evaluations, one Jacobian, one LU, an estimate of order 1.
 ///
 /// One evaluation is for ∂f/∂t, by a difference of first order; it keeps order 2, as would any
 /// error in the Jacobian. Dense output: of order 2 from the same two stages; it follows the stages,

@@ -41,9 +41,7 @@ pub struct Armed {
     period_us: u64,
     /// Frames from and to each board before the run.
     before: Vec<(u64, u64)>,
-    /// Start of metering (us).
     since_us: u64,
-    /// Usual delay of each board's samples.
     lateness: Vec<Lateness>,
     /// Due time of tick 0, but for a constant (us).
     first_us: Option<u64>,
@@ -57,7 +55,6 @@ pub struct Armed {
 #[derive(Clone, PartialEq, Debug)]
 pub struct BoardReport {
     pub name: BoardName,
-    /// Its location and its keys.
     pub place: BoardPlace,
     /// `true` if its keys were measured, so that their calibration is not only its own claim.
     pub is_calibrated: bool,
@@ -205,7 +202,6 @@ impl Keybed<Armed> {
         requests
     }
 
-    /// Lets a board show its light, as soon as it listens.
     pub fn request_light(&mut self, board: usize) {
         self.stage.supervisor.request_light(board);
     }

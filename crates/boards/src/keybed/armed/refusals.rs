@@ -58,7 +58,6 @@ impl Keybed<Armed> {
         boards.filter_map(refusal).collect()
     }
 
-    /// Returns the reason why a board without a known obstacle is not ready after `seconds`.
     fn unready(&self, index: usize, board: BoardName, seconds: f64) -> Refusal {
         let supervisor = &self.stage.supervisor;
         let asked = supervisor.asked(index).unwrap_or(Operation::Hello);

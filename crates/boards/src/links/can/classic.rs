@@ -79,7 +79,6 @@ impl Classic {
         Ok(())
     }
 
-    /// Adds a piece; returns the frame that it completes, if any.
     pub(super) fn push(&mut self, piece: &Data) -> Result<Option<&[u8]>, PieceLost> {
         place(&mut self.places, piece.id).ok_or(PieceLost)?.assembler.push(piece.bytes())
     }

@@ -52,7 +52,6 @@ fn examine(
     }
 }
 
-/// Lists the CAN interfaces that have a folder in `net`.
 fn interfaces_in(net: &Path) -> Result<Listing<CanInterface>, Error> {
     let unreadable = |source| Error::Unreadable { path: net.to_owned(), source };
     let folders = fs::read_dir(net).map_err(unreadable)?;

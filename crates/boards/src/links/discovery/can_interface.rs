@@ -7,9 +7,7 @@ pub struct CanInterface {
     pub name: String,
     /// `true` if it exists in memory only.
     pub is_virtual: bool,
-    /// `true` if it is set up to carry CAN FD frames.
     pub carries_fd: bool,
-    /// `true` if it was brought up.
     pub is_up: bool,
     /// Operational state: `up`, `down`, `unknown` and others.
     pub state: String,

@@ -9,7 +9,6 @@ use serde_json::Value;
 /// One of the two rates of a controller.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BitTiming {
-    /// Rate of the bits (bit/s).
     pub bitrate: u32,
     /// Sample point (thousandths of the bit).
     pub sample_point: u32,

@@ -10,7 +10,6 @@ use crate::links::Error;
 
 /// Linux' list of ports, required for the listing.
 const TTYS: &str = "/sys/class/tty";
-/// The kernel's files on devices.
 const SYS: &str = "/sys";
 
 const NONE: &str = "there is no serial port: plug in a board, or give a port by its path, \

@@ -12,7 +12,6 @@
 //! The program gives the bytes of the host to its boards at its old time, simulates up to the new
 //! one, and answers. The bytes are those of a serial port, including framing. A program begins at
 //! time 0, and exits when its stdin ends.
-//! time 0, and exits when its stdin ends.
 
 use std::collections::VecDeque;
 use std::io::{self, Read as _};
@@ -111,11 +110,9 @@ struct LockedProgram {
     stdout: ChildStdout,
     /// Time without a byte after which it counts as hung (s).
     patience_s: i64,
-    /// Simulated time (us).
     lived_us: u64,
     /// Next message: room for time and number, then the sent bytes.
     message: Vec<u8>,
-    /// Unread bytes of its boards.
     received: VecDeque<u8>,
     fault: Option<Error>,
 }

@@ -27,7 +27,6 @@ impl SerialCarrier {
         self.dropped
     }
 
-    /// Sends as much of the rest as there is room for.
     fn flush(&mut self) -> Result<(), Disconnected> {
         if !self.rest.is_empty() {
             self.rest.start += self.stream.write(&self.frame[self.rest.clone()])?;

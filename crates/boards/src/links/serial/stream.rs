@@ -10,7 +10,6 @@ pub(crate) struct NonBlockingFd(OwnedFd);
 pub(crate) struct Disconnected;
 
 impl NonBlockingFd {
-    /// Wraps `descriptor`, which was opened without blocking.
     pub(super) const fn new(descriptor: OwnedFd) -> Self {
         Self(descriptor)
     }

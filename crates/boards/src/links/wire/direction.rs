@@ -23,7 +23,6 @@ pub(super) struct WireDirection {
 }
 
 impl WireDirection {
-    /// Returns an empty direction with the plan's seed and `salt`.
     pub(super) fn new(plan: WirePlan, salt: u64) -> Self {
         let random = Random(Random(plan.seed).next() ^ salt);
         let queue = VecDeque::with_capacity(CAPACITY);

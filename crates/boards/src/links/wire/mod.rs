@@ -32,7 +32,6 @@ pub struct WirePlan {
     pub flip: f64,
     /// Fraction of the bytes at which the wire stalls, `0 ..= 1`.
     pub stall: f64,
-    /// Length of a stall (us).
     pub stall_us: u32,
     /// Additional delay of each byte (us).
     pub late_us: u32,

@@ -71,9 +71,7 @@ pub enum ArmLockout {
 /// Sample intervals above the agreed one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SlowSamples {
-    /// Median (us).
     pub median_us: u16,
-    /// Agreed interval (us).
     pub agreed_us: u16,
 }
 

@@ -178,7 +178,6 @@ impl BoardSupervisor {
         self.sessions.get(board).map(BoardSession::condition)
     }
 
-    /// Returns the number of a board's armings, if it is armed.
     pub fn armings(&self, board: usize) -> Option<u64> {
         self.sessions.get(board)?.armings()
     }

@@ -74,7 +74,6 @@ impl SampleWatch {
         self.empty_looks = 0;
     }
 
-    /// Adds the statistics up to `now` (us).
     pub(super) const fn update(&mut self, statistics: &BoardStatistics, now: u64) {
         (self.refused, self.is_safe) = (statistics.refused, statistics.is_safe);
         self.intervals = statistics.intervals;

@@ -54,7 +54,6 @@ struct CounterWatch {
     newest: Option<Counters>,
     /// `true` if most forces between the two newest answers were stale.
     is_stale: bool,
-    /// Time of the next request (us).
     next_us: u64,
 }
 
@@ -74,7 +73,6 @@ struct ReplyStatistics {
     declined: u64,
     /// Answers to requests that had been sent twice.
     late: u64,
-    /// Arrival of the newest answer (us).
     newest_us: Option<u64>,
 }
 
@@ -269,7 +267,6 @@ impl BoardSession {
         }
     }
 
-    /// Returns the next gesture to send, once gestures count.
     fn next_gesture(&self, now: u64, origin: Option<u64>) -> Option<Finger> {
         self.gestures.next(now, origin?, self.timing.clock())
     }

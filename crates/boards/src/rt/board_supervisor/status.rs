@@ -26,7 +26,6 @@ pub struct Condition {
     pub state: ArmState,
     pub armings: u64,
     pub jumps: u64,
-    /// Drift of its clock (1e-6).
     pub drift_ppm: f64,
     /// Median, 99th percentile and longest of the last round trips (us).
     pub round_trips_us: Option<[u32; 3]>,

@@ -60,7 +60,6 @@ impl Default for KeyGuard {
 }
 
 impl KeyGuard {
-    /// Demands a proof of the motor before the next force of a model.
     pub(super) const fn demand_proof(&mut self) {
         self.proof = MotorProof::begin();
         self.path.restart();
@@ -99,7 +98,6 @@ impl KeyGuard {
     /// (m), `elapsed` (s) after the last one, with at most the share `most`.
     ///
     /// # Real-time
-    /// Some fifty operations.
     /// Some fifty operations.
     pub(super) fn force(
         &mut self,
@@ -159,7 +157,6 @@ impl KeyGuard {
         push
     }
 
-    /// Continues the next force from the last one after a gap.
     pub(super) fn lead_over(&mut self, wanted: f64) {
         if self.proof.is_proven() {
             self.path.lead_over(wanted);

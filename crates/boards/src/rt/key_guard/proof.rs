@@ -116,7 +116,6 @@ impl MotorProof {
     pub(super) const PROVEN: Self =
         Self { stage: ProofStage::Proven, before: None, is_limp: false, position: 0.0 };
 
-    /// Returns a proof that begins once its key rests.
     pub(super) const fn begin() -> Self {
         Self {
             stage: ProofStage::Resting { place: f64::INFINITY, still: 0.0 },

@@ -66,7 +66,6 @@ impl MotorResponse {
     ///
     /// # Real-time
     /// Some ten operations.
-    /// Some ten operations.
     pub(super) fn step(
         &mut self,
         (position, quantum): (f64, f64),

@@ -32,7 +32,6 @@ impl ShakeWatch {
     ///
     /// # Real-time
     /// Ten additions.
-    /// Ten additions.
     pub(super) fn is_shaking(&mut self, force: f64, elapsed: f64, share: f64) -> bool {
         self.waves.iter_mut().for_each(|(_, age)| *age += elapsed);
         let (size, is_up) = (force.abs(), 0.0 < force);

@@ -204,7 +204,6 @@ impl SimulatedBoard {
         self.keys.iter_mut().for_each(|key| key.repeat_after(length));
     }
 
-    /// Presses or grips the key in `slot` from now on.
     pub fn press(&mut self, slot: usize, hand: HandCommand) {
         if let Some(key) = self.keys.get_mut(slot) {
             key.press(hand);
@@ -315,12 +314,10 @@ impl SimulatedBoard {
         self.interlock.trip(reason, self.now_us());
     }
 
-    /// Returns its clock now (us), as requests show it.
     fn clock_us(&self) -> u32 {
         low(self.told_us(self.now_us()))
     }
 
-    /// Returns its clock now (us).
     fn now_us(&self) -> u64 {
         self.progress.now_us()
     }

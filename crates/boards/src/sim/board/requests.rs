@@ -34,9 +34,7 @@ pub(super) struct BoardRequestHandler {
     log: Vec<LogLine>,
     /// Number and operation of the last request, and its reply, in case it is repeated.
     last: Option<((u8, u8), [u8; MAX_FRAME], usize)>,
-    /// Time from which the current request holds (us).
     asked_us: u64,
-    /// Time at which the light goes off (us).
     light_until_us: u64,
     boots: u32,
     /// Keys whose motors are off, the first in bit 0.
@@ -129,7 +127,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Returns `true` if its identifying light is on.
     pub fn is_lit(&self) -> bool {
         self.requests.is_lit(self.now_us())
     }

@@ -8,7 +8,6 @@ use firmware_protocol::sequence::SequenceNumber;
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sent {
     pub(super) samples: KeySamples,
-    /// Time of the samples, board time (us).
     pub(super) taken_us: u64,
     /// Index, counted from the first frame.
     pub(super) number: u64,

@@ -66,7 +66,6 @@ impl MeasuredWork {
         self.lag
     }
 
-    /// Returns `true` if the voice of `key` rested in its last turn.
     pub(super) const fn is_asleep(&self, key: usize) -> bool {
         self.asleep >> key & 1 == 1
     }

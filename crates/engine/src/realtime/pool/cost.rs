@@ -191,7 +191,6 @@ impl CostModel {
         f64::from(work.turns) * self.learned.turn.max(MIN_COST) + units.sum::<f64>()
     }
 
-    /// Learns from a tick that took `cpu` beside its lanes.
     pub(super) fn learn_beside(&mut self, cpu: Nanos, at: (u64, f64)) {
         let ratio = cpu.as_u64() as f64 / self.beside.ns;
         self.beside.follow(ratio, 1.0, at);
@@ -209,8 +208,7 @@ impl CostModel {
         self.learned.set(index, kind, unit.ns);
     }
 
-    /// Returns the time of lane 0 (ns): that of a lane, less the time of ticks beside their lanes
-    /// where a clock decides.
+    /// Returns lane 0's time (ns): a lane's, less that beside the lanes where a clock decides.
     pub(super) fn inline_time(&self, patience: WaitLimit, hz: u32) -> f64 {
         let time = patience.lane_time(hz);
         match patience {

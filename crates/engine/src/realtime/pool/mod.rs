@@ -79,7 +79,6 @@ pub enum WaitLimit {
 }
 
 impl WaitLimit {
-    /// Returns the lanes' time in a punctual tick, if it is limited.
     fn share(self) -> Option<Nanos> {
         match self {
             Self::Until { share, .. } => Some(share).filter(|share| *share != Nanos::ZERO),
@@ -189,9 +188,8 @@ impl ThreadedLanes {
     }
 
     /// Returns the CPU time of the last tick, with `cpu` that of its own thread; the part beside
-    /// the lanes is kept for their budgets.
-    ///
-    /// Waiting for lanes does not count; the excess of a lane that took longer than lane 0 does.
+    /// the lanes is kept for their budgets. Waiting for lanes does not count; the excess of a lane
+    /// that took longer than lane 0 does.
     pub fn work_of_tick(&mut self, cpu: Nanos) -> Nanos {
         let LaneTimes { inline, waiting, slowest } = self.times;
         let own = cpu.since(waiting);
@@ -232,8 +230,7 @@ impl ThreadedLanes {
         }
     }
 
-    /// Balances the lanes: moves one voice from the lane with the most to do to that with the
-    /// least, of those that are not late.
+    /// Moves one voice from the busiest lane to the least busy one, of those that are not late.
     fn share_out(&mut self) {
         self.remotes.iter_mut().for_each(|lane| lane.sort(&self.measured));
         let others = self.remotes.iter().map(|lane| lane.load(&self.measured));

@@ -22,7 +22,6 @@ pub(super) struct RemoteLane {
 struct Share {
     /// Present between ticks; away with the lane while it is run.
     batch: Option<Box<Batch>>,
-    /// Keys of the batch when it was sent last.
     keys: Vec<usize>,
     stands: ShareState,
 }
@@ -31,7 +30,6 @@ struct Share {
 enum ShareState {
     /// Nothing to run, or not sent in this tick yet.
     Home,
-    /// The lane runs this tick.
     Running,
     Done {
         cpu: Nanos,
@@ -104,7 +102,6 @@ impl RemoteLane {
         self.shares[AWAKE].batch.as_mut().map(|batch| &mut batch.slots)
     }
 
-    /// Returns the place of the slot of `key`, if it belongs to the lane.
     pub(super) fn place(&mut self, key: usize) -> Option<SlotPlace<'_>> {
         self.shares.iter_mut().find_map(|share| match &mut share.batch {
             Some(batch) => batch.slots.iter_mut().find(|it| it.key() == key).map(SlotPlace::Here),
@@ -154,8 +151,7 @@ impl RemoteLane {
         }
     }
 
-    /// Returns `true` if the lane is worth waiting for: one that is behind by more than a tick only
-    /// if there is no limit.
+    /// Returns `true` if the lane is worth waiting for: one far behind only if there is no limit.
     pub(super) fn is_awaited(&self, patience: WaitLimit) -> bool {
         self.shares.iter().any(|share| match share.stands {
             ShareState::Running => true,
@@ -164,7 +160,6 @@ impl RemoteLane {
         })
     }
 
-    /// Returns the CPU time of the lane's finished shares.
     pub(super) fn cpu(&self) -> Nanos {
         self.shares.iter().fold(Nanos::ZERO, |sum, share| match share.stands {
             ShareState::Done { cpu } => sum.after(cpu),
@@ -205,7 +200,6 @@ impl RemoteLane {
     }
 }
 
-/// Moves the slots with keys for which `belongs` holds.
 fn sift(
     from: &mut Vec<Slot<PanicGuard>>,
     to: &mut Vec<Slot<PanicGuard>>,

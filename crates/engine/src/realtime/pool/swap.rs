@@ -86,7 +86,6 @@ impl fmt::Debug for VoiceChange {
 
 impl VoiceSwaps {
     /// Sends `change` to the voice of `key`, for one of the next ticks, after earlier changes.
-    ///
     /// Safety blends the new force in. Not for the tick.
     ///
     /// # Errors

@@ -58,7 +58,6 @@ pub(super) struct Batch {
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LaneRules {
-    /// Time that the tick waits for the lane.
     pub(super) patience: WaitLimit,
     pub(super) costs: WorkCosts,
     /// Time of the lane (ns).
@@ -95,7 +94,6 @@ impl Batch {
         run_slots(slots, budget, &input, &mut TickOutput { turns, observed });
     }
 
-    /// Copies the turns and new observations.
     pub(super) fn write(&self, output: &mut TickOutput<'_>) {
         for key in self.slots.iter().map(Slot::key) {
             let (turn, seen) = (&self.turns[key], &self.observed[key]);
@@ -112,7 +110,6 @@ impl Batch {
 /// State shared by the tick's thread and all lanes, besides the rings.
 #[derive(Debug, Default)]
 pub(super) struct PoolState {
-    /// Tick that is being run.
     pub(super) current: AtomicU64,
     /// `true` if lanes shall end at their next check.
     pub(super) stop: AtomicBool,
@@ -161,7 +158,6 @@ impl Remote {
         self.thread.thread().unpark();
     }
 
-    /// Returns the next batch that came back.
     pub(super) fn take(&mut self) -> Option<Box<Batch>> {
         self.done.pop().ok()
     }

@@ -105,7 +105,7 @@ fn a_voice_of_another_version_continues_where_the_old_one_is() {
         assert!(near(0) && near(1), "tick {tick}: {seen:?}");
     }
     let wall = library.find("spring-wall", Path::new("")).unwrap();
-    let other = KeyVoice { model: wall, values: vec![] };
+    let other = KeyVoice { model: wall, values: vec![], file: None };
     let mut other = builder.voice(&other, Arc::default()).unwrap();
     assert!(!other.take_over(voices[0].as_ref()), "another model has no such mode: it is reset");
 }
@@ -154,7 +154,7 @@ fn a_voice_that_takes_over_computes_no_rest_and_keeps_that_of_new_entries() {
     let model = Arc::new(LoadedModel::new(table, shared, None).unwrap());
     let builder = VoiceBuilder::new(&scene).unwrap();
     let ball = scene.keys[0].as_ref().unwrap();
-    let turning = KeyVoice { model, values: ball.values.clone() };
+    let turning = KeyVoice { model, values: ball.values.clone(), file: None };
     let mut voice = builder.voice(ball, Arc::default()).unwrap();
     voice.reset(&KeySample::fresh(0.0));
     for tick in 0..100 {

@@ -14,10 +14,8 @@ const LIFTS: (f64, f64) = (10e-3, 1.0);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Touch {
     Pressed,
-    /// The finger comes from above and meets the key at full speed.
-    ///
-    /// Meant for speeds above 0.1 m/s. The impact sets finger and action swinging; in a slower
-    /// stroke the phase of that swing also decides the hammer's speed.
+    /// The finger meets the key from above at full speed, meant for 0.1 m/s and more. In a slower
+    /// stroke the swing after the impact also decides the hammer's speed.
     Struck,
 }
 
@@ -27,8 +25,7 @@ pub enum Touch {
 /// the acceleration are continuous for any release; until the release a faster gesture is never
 /// behind a slower one on its way down.
 ///
-/// Times share the origin of `t`. An unknown `release` is infinite, and may later be set, with
-/// `lift`, to any time not yet passed.
+/// Times share the origin of `t`. An unknown `release` is infinite, and may be set later.
 ///
 /// A finger that must soon play its key again is not fully lifted: the next gesture takes over at
 /// its start, from the depth to which the key has risen by then.
@@ -60,8 +57,7 @@ impl Gesture {
     /// Default duration of the lift (s) (estimate).
     pub const LIFT: f64 = 50e-3;
 
-    /// A press of medium speed at time 0 without release, with default depths and lift; the
-    /// template of other gestures.
+    /// A press of medium speed at time 0 without release, the template of other gestures.
     pub const USUAL: Self = Self {
         start: 0.0,
         release: f64::INFINITY,
@@ -115,7 +111,6 @@ impl Gesture {
         self.start <= t && t < self.end()
     }
 
-    /// Returns the start of the lift (s).
     const fn lift_off(&self) -> f64 {
         self.release.max(self.start)
     }

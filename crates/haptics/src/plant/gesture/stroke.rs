@@ -125,7 +125,6 @@ impl StrokeProfile {
         }
     }
 
-    /// Returns the command at the fraction `x` of the run-up.
     fn running_up(&self, x: f64) -> MuscleCommand {
         MuscleCommand {
             position: self.from + self.speed * self.run_up * cubic_integral(x),
@@ -139,7 +138,6 @@ impl StrokeProfile {
         MuscleCommand { position, velocity: self.speed }
     }
 
-    /// Returns the command at the fraction `x` of the brake.
     fn braking(&self, x: f64) -> MuscleCommand {
         MuscleCommand {
             position: self.hold + self.speed * self.brake * (x - cubic_integral(x)),

@@ -73,7 +73,6 @@ impl ImpedanceQuestion {
         curves * self.frequencies.len()
     }
 
-    /// Measures all curves; calls `done` after each point.
     pub(super) fn measure(&self, done: &(dyn Fn() + Sync)) -> Result<Vec<ImpedanceCurve>, Failure> {
         match &self.subject {
             ImpedanceSubject::Stroke(it) => {

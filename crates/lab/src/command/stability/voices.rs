@@ -52,7 +52,11 @@ impl InstrumentVoices {
         scene.render.coupling_damping = damping;
         scene.rig.encoder_step = order.values.get(LoopQuantity::EncoderStep).max(FINEST_STEP);
         scene.render.jerk_density = order.values.get(LoopQuantity::JerkDensity);
-        let key = KeyVoice { model: Arc::clone(&self.model), values: order.parameters.to_vec() };
+        let key = KeyVoice {
+            model: Arc::clone(&self.model),
+            values: order.parameters.to_vec(),
+            file: None,
+        };
         let builder = VoiceBuilder::new(&scene).map_err(|error| error.to_string())?;
         let voice = builder.voice(&key, Arc::default()).map_err(|error| error.to_string())?;
         Ok(Box::new(TriedVoice { voice, turn: VoiceOutput::default(), is_new: true }))

@@ -56,15 +56,13 @@ pub use sequence::MOST_IMPACTS;
 
 const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
-/// Fraction of the largest velocity below which closing counts as closed: rounding grows where
-/// contacts are nearly parallel.
+/// Fraction of the largest velocity below which closing counts as closed, for parallel contacts.
 const CLOSED: f64 = 1e-9;
 
 /// Rigid contacts at one instant, before their impacts.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Contacts<const N: usize> {
-    /// Delassus matrix G: the velocity that contact i gains per impulse at contact j (1/kg);
-    /// symmetric and positive semidefinite.
+    /// Delassus matrix G: velocity of contact i per impulse at j (1/kg); positive semidefinite.
     pub delassus: [[f64; N]; N],
     /// Rates of the gaps (m/s): negative where a contact closes.
     pub velocities: [f64; N],

@@ -10,10 +10,9 @@ pub const MOST_IMPACTS: u32 = 1024;
 const LEFT: f64 = 1.0 / ((1_u64 << 40) as f64);
 
 impl<const N: usize> Contacts<N> {
-    /// Resolves impacts one after another until nothing closes.
-    ///
-    /// The contact that closes fastest is next (the lowest index of equals), and leaves with
-    /// `vᵢ⁺ = −eᵢ vᵢ`. See the [module](super) for infinite sequences.
+    /// Resolves impacts one after another until nothing closes. The contact that closes fastest is
+    /// next (the lowest index of equals), and leaves with `vᵢ⁺ = −eᵢ vᵢ`. See the [module](super)
+    /// for infinite sequences.
     ///
     /// # Real-time
     /// At most [`MOST_IMPACTS`] impacts of N additions each, and four complementarity problems.

@@ -4,9 +4,8 @@ use super::complementarity::{self, Solution};
 use super::{Contacts, ImpactEnding, ROUNDING, Resolved};
 
 impl<const N: usize> Contacts<N> {
-    /// Resolves all impacts at once: `v⁺ + e v ≥ 0`, `p ≥ 0`, and one of both is zero.
-    ///
-    /// See the [module](super) for different coefficients, and for contacts left closing.
+    /// Resolves all impacts at once: `v⁺ + e v ≥ 0`, `p ≥ 0`, and one of both is zero. See the
+    /// [module](super) for different coefficients, and for contacts left closing.
     ///
     /// # Real-time
     /// At most six complementarity problems of N contacts.

@@ -12,8 +12,7 @@ use crate::series::{Expansion, MOST_ORDER, TERMS};
 use crate::state::State;
 use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, Tsitouras5};
 
-/// Taylor's method: the last coefficients of the solution's own series limit the step, and the
-/// series is the dense output.
+/// Taylor's method: the solution's series is the dense output, and its end limits the step.
 ///
 /// For offline work, with steps as long as a tolerance permits, and for the smallest errors: the
 /// work grows with the square of the digits. One expansion a step ([`Guarded::series`]); no step is

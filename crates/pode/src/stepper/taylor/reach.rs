@@ -5,11 +5,9 @@ use crate::series::{Expansion, MOST_ORDER};
 use crate::state::State;
 use crate::stepper::Tolerance;
 
-/// Returns the order of least work for a tolerance.
-///
-/// It is −½ ln ε where a step's work grows with the square of the order `[JZ05]`. Work beside the
-/// sums favours higher orders: on the paper's figure 6 orders from 16 to 22 differ by 5 % within
-/// 1e-9, and from 20 to 24 within 1e-13.
+/// Returns the order of least work for a tolerance. It is −½ ln ε where a step's work grows with
+/// the square of the order `[JZ05]`. Work beside the sums favours higher orders: on the paper's
+/// figure 6 orders from 16 to 22 differ by 5 % within 1e-9, and from 20 to 24 within 1e-13.
 pub(super) fn order_for(tolerance: f64) -> usize {
     let digits = -ln(tolerance.clamp(f64::EPSILON, 0.5));
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 25")]

@@ -57,7 +57,6 @@ fn throttling((runtime, period): (u32, u32)) -> Fact {
     }
 }
 
-/// Returns the clock governors; `None` if the machine has none.
 fn governors(root: &Path) -> Option<Fact> {
     let names = kernel::governors(root);
     let saves = names.contains("powersave");
