@@ -85,7 +85,7 @@ refused null: the value for \"/key/39/m\" is no finite number: send a number in 
 refused nan: what came is no message of the protocol: expected value at line 1 column 108
 refused none: the value for \"/key/39/m\" is no finite number: send a number in the parameter's unit
 refused call: /letoff/press was asked wrongly: invalid type: string \"much\", expected f64
-services: 10
+services: 13
 ok
 ";
     assert_eq!(printed.expect("it ended well"), expected);
