@@ -51,6 +51,15 @@ fn drag(window: &mut UserWindow, name: &str, by: f32) {
     window.drag(from, from + vec2(by, 0.0));
 }
 
+/// Drags the hammer mass by `by` points; returns the values that play once the host has answered.
+fn tune(window: &mut UserWindow, host: &HostProgram, by: f32) -> Vec<Vec<u64>> {
+    let before = playing(host);
+    drag(window, "hammer mass", by);
+    window.wait("the value", |_| playing(host) != before);
+    window.wait("the last value", |window| !window.has("…"));
+    playing(host)
+}
+
 #[test]
 fn twenty_drags_are_twenty_undo_steps() {
     let host = HostProgram::start("window-drags", &["--performance", "none"]);
@@ -59,10 +68,7 @@ fn twenty_drags_are_twenty_undo_steps() {
     let mut states = vec![before.clone()];
     for i in 0_u16..20 {
         let by = if i % 2 == 0 { 6.0 + f32::from(i) } else { -5.0 };
-        drag(&mut window, "hammer mass", by);
-        window.wait("the value", |_| playing(&host) != states[usize::from(i)]);
-        window.wait("the last value", |window| !window.has("…"));
-        states.push(playing(&host));
+        states.push(tune(&mut window, &host, by));
     }
     for state in states.iter().rev().skip(1) {
         window.click("Undo");
@@ -77,10 +83,7 @@ fn undo_takes_an_instrument_back_and_shows_the_keys_that_it_changes() {
     let host = HostProgram::start("window-instrument", &["--performance", "none"]);
     let mut window = open(&host);
     let before = playing(&host);
-    drag(&mut window, "hammer mass", 9.0);
-    window.wait("the value", |_| playing(&host) != before);
-    window.wait("the last value", |window| !window.has("…"));
-    let tuned = playing(&host);
+    let tuned = tune(&mut window, &host, 9.0);
     select(&mut window, "C7", "C8");
     window.click_role(Role::Button, "viennese");
     window.wait("the instrument", |window| window.says("plays C7..C8"));
@@ -108,10 +111,7 @@ fn an_untouched_and_a_graded_instrument_are_saved_as_they_play() {
             select(&mut window, "A0", "C8");
             window.click_role(Role::ComboBox, "link");
             window.click("fading change");
-            let before = playing(&host);
-            drag(&mut window, "hammer mass", 12.0);
-            window.wait("the value", |_| playing(&host) != before);
-            window.wait("the last value", |window| !window.has("…"));
+            tune(&mut window, &host, 12.0);
         }
         window.click("Save instrument");
         window.click_role(Role::TextInput, "as");
@@ -143,10 +143,7 @@ fn a_restarted_host_is_offered_the_changes() {
     let mut host = HostProgram::start("window-offer", &["--performance", "none"]);
     let mut window = open(&host);
     let before = playing(&host);
-    drag(&mut window, "hammer mass", 9.0);
-    window.wait("the value", |_| playing(&host) != before);
-    window.wait("the last value", |window| !window.has("…"));
-    let tuned = playing(&host);
+    let tuned = tune(&mut window, &host, 9.0);
     host.kill();
     host.start_again();
     window.wait("the offer", |window| window.says("lack 1 change"));
@@ -169,7 +166,7 @@ fn let_off_moves_by_two_steps_over_the_top_octave_and_no_hammer_blocks() {
         value.trim_end_matches(" mm").parse::<f64>().expect("a length in mm")
     };
     let before = reading(&window);
-    // A point of the slider moves less than a step: two steps are two words of the field away.
+    // A point of the slider moves less than a step: the field shows each step.
     let from = window.rect_of(Role::Slider, "let-off").center();
     window.press(from);
     let mut at = from;

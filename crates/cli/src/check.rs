@@ -24,9 +24,10 @@ pub struct CheckArgs {
 }
 
 pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let library = Library::default();
     let mut wrong = Vec::new();
     for file in &args.files {
-        match check_file(&Library::default(), file) {
+        match check_file(&library, file) {
             Ok(FileKind::Scene) => match check_stability(file) {
                 Ok(_) if args.json => {}
                 Ok(ranges) => {
@@ -41,7 +42,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
             Ok(kind) => {
                 writeln!(out, "{}: a good {}", shown(file), kind.name())?;
                 if kind == FileKind::Instrument {
-                    base_note(file, out)?;
+                    base_note(&library, file, out)?;
                 }
             }
             Err(diagnostics) => wrong.push(diagnostics),
@@ -58,8 +59,8 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
 }
 
 /// Reports an instrument whose base has changed since it was saved.
-fn base_note(file: &Path, out: &mut dyn Write) -> Result<(), Failure> {
-    let instrument = Instrument::load(&Library::default(), &file.to_string_lossy());
+fn base_note(library: &Library, file: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+    let instrument = Instrument::load(library, &file.to_string_lossy());
     let based = instrument.ok().and_then(|it| it.based);
     if let Some(based) = based.filter(|it| it.has_changed) {
         let base = based.base;

@@ -94,9 +94,9 @@ pub trait Guarded: Model {
         self.nature(mode).longest_step
     }
 
-    /// Expands the motion of `mode` as a power series in time, and its guards along it. `out` says
-    /// from which state, up to which order, and in units of which time; `input` has the
-    /// coefficients of the input in the same unit, three more than are asked for. Returns `false`
+    /// Expands the motion of `mode` as a power series in time, and its guards along it. `out` gives
+    /// the start state, the order and the unit of time; `input` has the coefficients of the input
+    /// in the same unit, three more than requested. Returns `false`
     /// where the model has no series: [`Taylor`](crate::stepper::Taylor) then steps otherwise.
     #[inline]
     fn series(

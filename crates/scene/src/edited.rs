@@ -38,19 +38,11 @@ const KINDS: [(&str, Difference); 3] = [
 
 const POINTS: &str = "write { offset = [[\"C4\", 0.0001], [\"C5\", 0.0002]] }, or factor, or value";
 
-fn keys() -> impl Iterator<Item = u8> {
-    KeyIndex::all().map(KeyIndex::number)
-}
-
-fn compass(value: impl Fn(u8) -> f64) -> CompassValues {
-    std::array::from_fn(|key| value(u8::try_from(key).unwrap_or(u8::MAX)))
-}
-
 /// Returns the values of all parameters of `instrument`, each on all keys.
 fn values_of(instrument: &Instrument) -> Vec<CompassValues> {
-    let by_key: Vec<_> = keys().map(|key| instrument.values(key)).collect();
+    let by_key: Vec<_> = KeyIndex::all().map(|key| instrument.values(key.number())).collect();
     let parameters = 0..instrument.model().parameters.len();
-    parameters.map(|index| compass(|key| by_key[usize::from(key)][index])).collect()
+    parameters.map(|index| std::array::from_fn(|key| by_key[key][index])).collect()
 }
 
 /// Returns the hash of an instrument's values with the names of their parameters.
@@ -140,16 +132,17 @@ impl Instrument {
         let mut values = present.clone();
         if let Some(entry) = saved {
             read_values(report, &entry.node, &parameters, &mut values);
-            let is_intact = |text: &String| *text == hash(&parameters, &values);
-            if let Some((_, place)) = hash_text.filter(|(text, _)| !is_intact(text)) {
-                let message = "the base values are not those that were saved with this hash";
-                let help = "remove base_hash to keep them, or [base_values] to follow the base";
-                report.say(place, message, help);
-            }
+        }
+        let hash_of_values = hash(&parameters, &values);
+        let other_hash = hash_text.filter(|(text, _)| saved.is_some() && *text != hash_of_values);
+        if let Some((_, place)) = other_hash {
+            let message = "the base values are not those that were saved with this hash";
+            let help = "remove base_hash to keep them, or [base_values] to follow the base";
+            report.say(place, message, help);
         }
         let edit = differences.map(|entry| read_edit(report, &entry.node, &parameters));
         let edit = edit.unwrap_or_default();
-        let has_changed = hash(&parameters, &values) != hash(&parameters, &present);
+        let has_changed = hash_of_values != hash(&parameters, &present);
         if let Err((message, help)) = instrument.lay(&values, &edit) {
             report.say(place, message, help);
         }

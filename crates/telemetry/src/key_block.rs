@@ -5,7 +5,7 @@ use crate::KeyBlock;
 impl KeyBlock {
     /// Bit of `flags`: the key lies still and its voice sleeps.
     pub const ASLEEP: u8 = 1;
-    /// Bits of `flags` of which a row has [`Self::ASLEEP`] alone if it holds until the next row.
+    /// Bits of `flags` that describe a row. A row with [`Self::ASLEEP`] alone holds until the next.
     pub const STATE: u8 = 1 | 2 | 4;
     /// Bit of `flags`: rows before are missing.
     pub const MISSING: u8 = 8;

@@ -179,11 +179,3 @@ pub struct KeyFigure {
     pub low: Option<f64>,
     pub high: Option<f64>,
 }
-
-impl KeyFigure {
-    /// Returns `true` if the value is in the expected range, or none is expected.
-    pub fn is_expected(&self) -> bool {
-        self.low.is_none_or(|low| low <= self.value)
-            && self.high.is_none_or(|high| self.value <= high)
-    }
-}

@@ -257,15 +257,6 @@ impl Store {
         self.trace(key)?.value_at(column, self.tick(seconds)).map(f64::from)
     }
 
-    /// Returns the values of an instrument for one key: one for each parameter of its model.
-    pub fn instrument_values(&self, instrument: &str, key: u8) -> Option<&[f64]> {
-        let catalogue = self.catalogue.as_ref()?;
-        let instrument = catalogue.instruments.iter().find(|it| it.name == instrument)?;
-        let width = self.model(&instrument.model)?.parameters.len();
-        let from = usize::from(key) * width;
-        instrument.values.get(from..from + width)
-    }
-
     /// Returns the keys that have a fault in the newest overview.
     pub fn faulty(&self) -> Vec<u8> {
         (0..=crate::names::LAST).filter(|key| self.summaries.key(*key).fault != 0).collect()

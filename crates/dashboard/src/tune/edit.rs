@@ -1,4 +1,4 @@
-//! LayerDifferences from instruments over the compass: of all keys, and as patches of some.
+//! Differences from instruments over the compass: of all keys, and as patches of some.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -19,7 +19,7 @@ impl ParameterSlot {
     }
 }
 
-/// LayerDifferences by their slots.
+/// Differences of the edit layer, by slot.
 pub type LayerDifferences = BTreeMap<ParameterSlot, Difference>;
 
 /// Instruments of all keys, and the differences from them.
@@ -27,7 +27,7 @@ pub type LayerDifferences = BTreeMap<ParameterSlot, Difference>;
 pub struct Snapshot {
     /// Names of the instruments, key by key.
     pub instruments: BTreeMap<u8, String>,
-    /// The differences: a list, because a slot is no name in JSON.
+    /// The differences, sorted by slot: a list, because a slot is no name in JSON.
     differences: Vec<(ParameterSlot, Difference)>,
 }
 
@@ -39,6 +39,17 @@ impl Snapshot {
 
     pub fn differences(&self) -> LayerDifferences {
         self.differences.iter().cloned().collect()
+    }
+
+    /// Returns the difference at `slot`, if there is one.
+    pub fn difference(&self, slot: &ParameterSlot) -> Option<Difference> {
+        let index = self.differences.binary_search_by(|(other, _)| other.cmp(slot)).ok()?;
+        Some(self.differences[index].1)
+    }
+
+    /// Returns `true` if `is_it` holds for one of the differences.
+    pub fn has(&self, is_it: impl Fn(&ParameterSlot, Difference) -> bool) -> bool {
+        self.differences.iter().any(|(slot, difference)| is_it(slot, *difference))
     }
 
     /// Returns the number of changes: parameters and instruments, each over adjacent keys.
@@ -129,7 +140,7 @@ pub enum BaseValues {
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct EditPatch {
     pub instruments: BTreeMap<u8, String>,
-    /// LayerDifferences after the change; `None` for a value of the instrument.
+    /// Differences after the change; `None` for a value of the instrument.
     pub slots: BTreeMap<ParameterSlot, Option<Difference>>,
 }
 

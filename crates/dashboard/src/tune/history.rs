@@ -17,6 +17,12 @@ pub struct UndoStep {
     gesture: Option<u64>,
 }
 
+impl UndoStep {
+    fn is_of(&self, gesture: Option<u64>) -> bool {
+        gesture.is_some() && self.gesture == gesture
+    }
+}
+
 /// Steps done and steps taken back.
 #[derive(Clone, Debug, Default)]
 pub struct UndoHistory {
@@ -28,7 +34,7 @@ impl UndoHistory {
     /// Enters a step, or merges it into the last one of the same gesture.
     pub fn enter(&mut self, text: &str, before: EditPatch, after: EditPatch, gesture: Option<u64>) {
         self.undone.clear();
-        if let Some(last) = self.of_gesture_mut(gesture) {
+        if let Some(last) = self.done.last_mut().filter(|last| last.is_of(gesture)) {
             for (slot, difference) in before.slots {
                 last.before.slots.entry(slot).or_insert(difference);
             }
@@ -41,13 +47,9 @@ impl UndoHistory {
         }
     }
 
-    fn of_gesture_mut(&mut self, gesture: Option<u64>) -> Option<&mut UndoStep> {
-        self.done.last_mut().filter(|last| gesture.is_some() && last.gesture == gesture)
-    }
-
     /// Returns the difference of `slot` before `gesture`, if that has changed it.
     pub fn origin(&self, slot: &ParameterSlot, gesture: Option<u64>) -> Option<Option<Difference>> {
-        let last = self.done.last().filter(|it| gesture.is_some() && it.gesture == gesture)?;
+        let last = self.done.last().filter(|last| last.is_of(gesture))?;
         last.before.slots.get(slot).copied()
     }
 

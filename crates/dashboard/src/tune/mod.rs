@@ -26,7 +26,7 @@ use history::UndoHistory;
 use link::{FollowingKeys, LinkedKeys, MovedValue};
 use queue::{RequestQueue, SentRequest};
 
-/// Units of which keys of a range differ by an offset; by a factor in other units.
+/// Units in which linked keys share an offset. In other units they share a factor.
 const OFFSET_UNITS: [&str; 5] = ["m", "rad", "s", "1", ""];
 
 /// Tuning state that is saved between starts.
@@ -69,7 +69,7 @@ pub struct Tuner {
     /// Values of the listed instruments on all keys.
     instruments: BTreeMap<String, Vec<f64>>,
     played: BTreeMap<u8, KeyInstrument>,
-    /// LayerDifferences that are shown: requested, or else as reported.
+    /// Displayed differences: requested, or else as reported.
     differences: LayerDifferences,
     queue: RequestQueue,
     history: UndoHistory,
@@ -151,14 +151,14 @@ impl Tuner {
             return;
         }
         let Some(model) = self.models.get(&(played.model.clone(), played.version)) else { return };
-        let left = self.left.as_ref().map(|it| it.layer.differences()).unwrap_or_default();
         let numbers = model.parameters.iter().zip(&played.base).zip(&played.values);
         for ((parameter, base), value) in numbers {
             let slot = ParameterSlot::new(key, parameter.name.clone());
             if self.queue.is_pending(&slot) {
                 continue;
             }
-            let known = self.differences.get(&slot).or_else(|| left.get(&slot)).copied();
+            let left = || self.left.as_ref().and_then(|left| left.layer.difference(&slot));
+            let known = self.differences.get(&slot).copied().or_else(left);
             let known = known.unwrap_or(Difference::Value(*value));
             if value.to_bits() == base.to_bits() || !value.is_finite() {
                 self.differences.remove(&slot);
@@ -192,10 +192,10 @@ impl Tuner {
         if *run == self.run || self.played.is_empty() {
             return None;
         }
-        let lacks = |(slot, it): (ParameterSlot, Difference)| {
-            self.at(slot.key, &slot.parameter).is_some() && self.differences.get(&slot) != Some(&it)
+        let lacks = |slot: &ParameterSlot, it| {
+            self.at(slot.key, &slot.parameter).is_some() && self.differences.get(slot) != Some(&it)
         };
-        layer.differences().into_iter().any(lacks).then_some(layer)
+        layer.has(lacks).then_some(layer)
     }
 
     /// Puts the offered layer back, as one step.

@@ -140,8 +140,7 @@ impl ParameterReading<'_> {
         join(&self.digits(value), self.unit)
     }
 
-    /// Returns the value (SI) that `text` stands for: a number in the unit that is shown, or with a
-    /// unit of its own.
+    /// Parses `text` to a value (SI). A number without a unit is in the displayed unit.
     ///
     /// # Errors
     /// A sentence.

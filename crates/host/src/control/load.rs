@@ -6,7 +6,6 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use std::sync::Arc;
 
@@ -19,6 +18,7 @@ use telemetry::{Log, Update, log};
 
 use super::current_voices::CurrentVoices;
 use super::description_states::{DescriptionStates, known_path};
+use super::run_status::nanos_now;
 use super::{FingerOwner, RequestHandler};
 use crate::observe::{self, TelemetryMessage};
 
@@ -70,7 +70,7 @@ impl RequestHandler {
         let mut states = self.states().clone();
         states.note_read(path, contents.clone(), "");
         if 0 < n {
-            states.note_playing(model, now());
+            states.note_playing(model, nanos_now());
         }
         // The present models are sent as well, since a recording may begin in between.
         let models = observe::distinct(playing.models().iter().chain([model]));
@@ -105,10 +105,8 @@ impl RequestHandler {
     }
 
     pub(super) fn begin_to_watch(&self) {
-        let playing = self.playing();
-        let mut states = self.states();
-        states.is_watched = true;
-        self.run.tell(self.catalogue(playing.render, &playing.models(), &states));
+        self.states().is_watched = true;
+        self.send_catalogue();
     }
 
     /// Returns the files of the playing descriptions, with their contents at the last read.
@@ -146,10 +144,4 @@ impl RequestHandler {
         catalogue.instruments.extend(self.own_entries());
         TelemetryMessage::Catalogue(Box::new(catalogue))
     }
-}
-
-/// Returns the time (ns since 1970).
-fn now() -> u64 {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH);
-    now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX))
 }

@@ -228,11 +228,9 @@ impl RequestHandler {
         let voice = |key| NewVoice::anew(&instrument.voicing, key, &instrument.name);
         let voices: BTreeMap<_, _> = keys.into_iter().map(|key| (key, voice(key))).collect();
         let n = voices.len();
-        let mut catalogue = self.catalogue_with(&playing, instrument.model());
-        if is_own && catalogue.is_none() {
-            let models = playing.models();
-            catalogue = Some(self.catalogue(playing.render, &models, &self.states()));
-        }
+        let listed = || self.catalogue(playing.render, &playing.models(), &self.states());
+        let catalogue = self.catalogue_with(&playing, instrument.model());
+        let catalogue = catalogue.or_else(|| is_own.then(listed));
         self.put_in(&mut playing, voices, catalogue, who)?;
         let text = format!("{n} keys are now {}", instrument.name);
         self.tell(&text, who);

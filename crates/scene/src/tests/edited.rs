@@ -116,7 +116,7 @@ fn a_base_that_changed_is_noticed_and_followed_only_when_asked() {
     assert!(mine.based.as_ref().is_some_and(|it| it.has_changed));
     let followed = mine.on_present_base().expect("values in range");
     assert_eq!(expected(&followed, &[]), expected(&second, &[&edit]));
-    // Values that somebody edited by hand are not those of the hash.
+    // Base values edited by hand no longer match the hash.
     let damaged = text.replace("k2 = 5000.0", "k2 = 5001.0");
     assert!(damaged != text);
     let refused = loaded(&damaged, folder).expect_err("another hash");

@@ -112,13 +112,14 @@ impl View {
     }
 
     fn compare_ui(&mut self, ui: &mut Ui, tuner: &mut Tuner) {
+        let present = tuner.snapshot();
         ui.horizontal_wrapped(|ui| {
             for (i, name) in ["A", "B"].into_iter().enumerate() {
                 if ui.small_button(format!("Store {name}")).clicked() {
-                    tuner.kept.compared[i] = Some(tuner.snapshot());
+                    tuner.kept.compared[i] = Some(present.clone());
                 }
                 let is_kept = tuner.kept.compared[i].is_some();
-                let is_present = tuner.kept.compared[i].as_ref() == Some(&tuner.snapshot());
+                let is_present = tuner.kept.compared[i].as_ref() == Some(&present);
                 let button = Button::new(RichText::new(name).strong()).selected(is_present);
                 let recall = ui.add_enabled(is_kept, button);
                 if recall.clicked()

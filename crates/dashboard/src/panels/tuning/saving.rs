@@ -37,9 +37,10 @@ fn name_ui(ui: &mut Ui, typed: &mut Option<String>, state: &mut AppState, (key, 
         // A saved instrument is replaced only by a button that says so.
         let overwrite = is_own(name.trim());
         let text = if overwrite { format!("Replace {}", name.trim()) } else { "Save".to_owned() };
-        let request = state.tuner.saving(key, name.trim(), &own);
         let save = ui.add_enabled(!name.trim().is_empty(), Button::new(text));
-        if let Some(request) = request.filter(|_| save.clicked()) {
+        if save.clicked()
+            && let Some(request) = state.tuner.saving(key, name.trim(), &own)
+        {
             state.ask(request);
             *typed = None;
             ui.close();
