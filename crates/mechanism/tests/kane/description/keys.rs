@@ -30,7 +30,7 @@ per_metre = "1"
 @input = 1
 
 [parameters]
-m = { value = "1 kg", range = ["1 g", "10 kg"], doc = "mass", @parameters = 1 }
+m = { value = "1 kg", range = ["1 g", "10 kg"], doc = "mass", @parameters = 1, reading = { at = "1 kg", is = "2 kg", per = 1, @parameters = 1 } }
 
 [presets.light]
 @presets = 1
