@@ -101,6 +101,11 @@ fn try_kind(
     let program = program.canonicalize().map_err(|cause| Error::file(program, cause))?;
     let prepared = kind.prepare(&program, folder)?;
     let mut report = KindReport::default();
+    let mut usual = Vec::new();
+    for (number, good) in (0..).zip(prepared.good.iter().cycle()).take(kind.commands.len()) {
+        let (trial, _typed) = try_file(kind, (&prepared, number), good, (&program, folder))?;
+        usual.push(trial.cpu);
+    }
     for number in 0..options.mutations {
         // Each kind and file has its own seed, so that a failure can be reproduced alone.
         let place =
@@ -113,7 +118,8 @@ fn try_kind(
         if let Some(count) = code.and_then(|it| report.codes.get_mut(it)) {
             *count += 1;
         }
-        if let Some(failure) = trial.failure() {
+        let command = usize::try_from(number).unwrap_or(0) % usual.len();
+        if let Some(failure) = trial.failure(usual[command]) {
             let kept =
                 folder.join(format!("{}-{}-{number}.{}", kind.name, options.seed, kind.ending));
             files::write(&kept, &bytes)?;

@@ -13,8 +13,11 @@ const CPU: &str = "20";
 /// Limit of the time (s), for a program that waits.
 const PATIENCE: &str = "120";
 
-/// Longest processor time of a passing run (s).
-const SLOW: f64 = 5.0;
+/// Processor time that a run may always take (s).
+const SHORT: f64 = 5.0;
+
+/// Longest processor time of a passing run in that of the undamaged file, on the same machine.
+const SLOWER: f64 = 3.0;
 
 /// Runs the program, then prints the processor time of all children in POSIX form.
 const SCRIPT: &str = "\
@@ -44,7 +47,8 @@ impl FuzzTrial {
         })
     }
 
-    pub(super) fn failure(&self) -> Option<String> {
+    /// Returns the failure of the run, if any, where the undamaged file takes `usual` (s).
+    pub(super) fn failure(&self, usual: f64) -> Option<String> {
         let aloud = ["panicked at", "overflowed its stack", "memory allocation of"];
         let code = self.code.unwrap_or(-1);
         if let Some(line) =
@@ -53,7 +57,7 @@ impl FuzzTrial {
             Some(format!("exit code {code}, {line}"))
         } else if !(0..=2).contains(&code) {
             Some(format!("exit code {code}"))
-        } else if self.cpu.is_nan() || SLOW < self.cpu {
+        } else if self.cpu.is_nan() || SHORT.max(SLOWER * usual) < self.cpu {
             Some(format!("{:.1} s of processor time", self.cpu))
         } else {
             None
@@ -77,7 +81,7 @@ mod tests {
     #[track_caller]
     fn check(script: &str, failure: Option<&str>) {
         let run = FuzzTrial::run(Path::new("sh"), Path::new("/"), &["-c".into(), script.into()]);
-        let failed = run.expect("bash").failure();
+        let failed = run.expect("bash").failure(0.0);
         assert_eq!(failed.is_some(), failure.is_some(), "{script}: {failed:?}");
         assert!(failed.is_none_or(|it| it.contains(failure.unwrap_or_default())), "{script}");
     }
