@@ -217,7 +217,7 @@ impl<V: Voice> Slot<V> {
         let told = self.told.map(|told| told.limit);
         let limit = match self.limit {
             SlotLimit::Budget(units) if self.lockout.is_suspicious() => {
-                new_limit(TurnLimit::of(units), told)
+                new_limit(TurnLimit::of_suspect(units), told)
             }
             SlotLimit::Budget(units) => {
                 new_limit(TurnLimit::of_trusted(units, self.rules.hz), told)

@@ -37,9 +37,9 @@ pub struct Scheduler {
     overload: OverloadController,
 }
 
-/// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (424),
+/// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (432),
 /// observation (216), force, slope and safety state (40).
-pub const SCHEDULER_KB: usize = 86;
+pub const SCHEDULER_KB: usize = 87;
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {

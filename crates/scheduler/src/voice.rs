@@ -116,6 +116,9 @@ pub struct VoiceOutput {
     pub fresh: bool,
     /// Units of work to which a turn was limited that is [`VoiceFault::Capped`] by that; 0 of others.
     pub limit: u32,
+    /// The same of the turn that came too late for an earlier tick and whose events are passed on
+    /// here.
+    pub late_limit: u32,
 }
 
 impl VoiceOutput {
@@ -124,7 +127,7 @@ impl VoiceOutput {
         (self.force, self.slope) = (0.0, KeySlope::HELD);
         self.events.clear();
         self.work = VoiceWork::NONE;
-        (self.fault, self.limit) = (None, 0);
+        (self.fault, self.limit, self.late_limit) = (None, 0, 0);
         (self.idle, self.late, self.waited, self.fresh) = (false, false, false, false);
     }
 

@@ -27,8 +27,17 @@ pub struct TurnLimit {
 impl TurnLimit {
     pub const NONE: Self = Self::of(u32::MAX);
 
+    /// Units that a turn may always take in the first quarter of its tick.
+    const EARLY: u32 = 64;
+
     pub const fn of(units: u32) -> Self {
         Self { early: units, most: units }
+    }
+
+    /// Returns the limit of a voice that failed recently: `units`, but no fewer than an ordinary
+    /// turn takes, since a lane without time must not make it fail again.
+    pub(crate) const fn of_suspect(units: u32) -> Self {
+        Self::of(if units < Self::EARLY { Self::EARLY } else { units })
     }
 
     /// Returns the limit of a voice without recent failures that may take `units` by its lane's
@@ -38,7 +47,7 @@ impl TurnLimit {
     /// the first quarter of the tick. On a slow processor that is more than a tenth of a lane's
     /// time, and no stroke may be cut off: there the limit is strict for the first quarter only.
     pub(crate) const fn of_trusted(units: u32, hz: u32) -> Self {
-        let (early, most) = (64, 128 + 384_000 / hz);
+        let (early, most) = (Self::EARLY, 128 + 384_000 / hz);
         Self {
             early: if units < early { early } else { units },
             most: if units < most { most } else { units },

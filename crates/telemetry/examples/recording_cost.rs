@@ -144,6 +144,7 @@ fn block(key: u32, tick: u64, ticks: u64, random: &mut Random) -> Update {
         signals,
         velocity: Vec::new(),
         limit: Vec::new(),
+        late_limit: Vec::new(),
     })
 }
 

@@ -35,6 +35,8 @@ pub struct KeyRow {
     pub events: u8,
     /// Units of work after which the turn was cut off; 0 if it was not.
     pub limit: u32,
+    /// The same of a turn that came too late for an earlier tick.
+    pub late_limit: u32,
 }
 
 /// State of a turn.
@@ -45,6 +47,8 @@ pub struct RowFlags {
     pub idle: bool,
     /// `true` if its lane was not done.
     pub late: bool,
+    /// `true` if it is late since the voice had to wait.
+    pub waited: bool,
     /// `true` if its force is unrelated to the one before.
     pub fresh: bool,
     /// `true` if its model is shown.
@@ -189,10 +193,17 @@ fn row(key: usize, seen: &FinishedTick<'_>) -> KeyRow {
         sent: seen.forces[key],
         look,
         fault: turn.fault,
-        stands: RowFlags { idle: turn.idle, late: turn.late, fresh: turn.fresh, followed },
+        stands: RowFlags {
+            idle: turn.idle,
+            late: turn.late,
+            waited: turn.waited,
+            fresh: turn.fresh,
+            followed,
+        },
         ran,
         events: u8::try_from(turn.events.as_slice().len()).unwrap_or(u8::MAX),
         limit: turn.limit,
+        late_limit: turn.late_limit,
     }
 }
 

@@ -12,12 +12,14 @@ pub(crate) mod flag {
     pub(crate) const LATE: u8 = 2;
     pub(crate) const FRESH: u8 = 4;
     pub(crate) const GAP: u8 = 8;
+    pub(crate) const WAITED: u8 = 16;
 }
 
 pub(super) const fn flags(stands: RowFlags) -> u8 {
     (if stands.idle { flag::IDLE } else { 0 })
         | (if stands.late { flag::LATE } else { 0 })
         | (if stands.fresh { flag::FRESH } else { 0 })
+        | (if stands.waited { flag::WAITED } else { 0 })
 }
 
 /// Returns a fault's number in messages; the larger the worse.
@@ -44,11 +46,11 @@ fn push_velocity(block: &mut KeyBlock, velocity: Option<f64>) {
     }
 }
 
-/// Adds the limit of a turn that was cut off to the rows pushed so far.
-fn push_limit(block: &mut KeyBlock, limit: u32) {
-    if 0 < limit || !block.limit.is_empty() {
-        block.limit.resize(block.taken.len() - 1, 0);
-        block.limit.push(limit);
+/// Adds the `limit` of row `index` to a column that is empty as long as no turn was cut off.
+fn push_limit(limits: &mut Vec<u32>, index: usize, limit: u32) {
+    if 0 < limit || !limits.is_empty() {
+        limits.resize(index, 0);
+        limits.push(limit);
     }
 }
 
@@ -69,7 +71,9 @@ impl BlockBuilder {
         block.age.push(row.sample.age);
         block.taken.push(row.sample.taken);
         push_velocity(block, row.sample.velocity);
-        push_limit(block, row.limit);
+        let index = block.taken.len() - 1;
+        push_limit(&mut block.limit, index, row.limit);
+        push_limit(&mut block.late_limit, index, row.late_limit);
         block.force.push(row.force);
         block.sent.push(row.sent);
         block.mode.push(if probe.is_some() { row.look.structure() } else { u8::MAX });

@@ -163,10 +163,11 @@ mod tests {
             sent: 0.0,
             look: ModelSnapshot::default(),
             fault,
-            stands: RowFlags { idle: false, late, fresh: false, followed: false },
+            stands: RowFlags { idle: false, late, waited: false, fresh: false, followed: false },
             ran: 1,
             events: 0,
             limit: 0,
+            late_limit: 0,
         };
         let (capped, mut known) = (Some(VoiceFault::Capped { handled: 64 }), None);
         let turns = [(capped, false), (None, true), (capped, false), (None, true), (None, false)];

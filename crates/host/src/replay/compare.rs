@@ -232,7 +232,7 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
 /// Returns a cell as text that is equal only for equal bits.
 type CellText = fn(&KeyBlock, usize) -> String;
 
-const COLUMNS: [(&str, CellText); 13] = [
+const COLUMNS: [(&str, CellText); 15] = [
     ("position", |it, row| bits(&it.position, row)),
     ("age", |it, row| cell(&it.age, row)),
     ("taken", |it, row| bits(&it.taken, row)),
@@ -245,6 +245,8 @@ const COLUMNS: [(&str, CellText); 13] = [
     ("revision", |it, row| cell(&it.revision, row)),
     ("ticks not run", |it, row| cell(&it.unrun, row)),
     ("number of events", |it, row| cell(&it.events, row)),
+    ("limit", |it, row| cell(&it.limit, row)),
+    ("limit of a late turn", |it, row| cell(&it.late_limit, row)),
     ("signals", |it, row| {
         let width = (it.signals.len() / it.after.len().max(1)).max(1);
         it.signals.chunks(width).nth(row).map_or_else(String::new, |them| format!("{them:?}"))

@@ -20,12 +20,16 @@ pub(super) struct KeyTick {
     pub(super) unrun: u32,
     /// Units of work after which its turn was cut off, if it was.
     pub(super) limit: Option<u32>,
+    /// The same of the late turn that is handed over.
+    pub(super) late_limit: Option<u32>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LaneStatus {
     Done,
     Late,
+    /// It had no time left for the voice.
+    Waited,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -52,6 +56,7 @@ impl Feed {
             lane: LaneStatus::Done,
             unrun: 0,
             limit: None,
+            late_limit: None,
         };
         Self {
             rows: vec![VecDeque::new(); KEYS],
@@ -143,6 +148,7 @@ impl Feed {
                 lane: LaneStatus::Done,
                 unrun: 0,
                 limit: None,
+                late_limit: None,
                 revision: last.revision,
             });
         }
@@ -171,10 +177,15 @@ fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
         velocity: block.velocity.get(row).copied().filter(|it| !it.is_nan()),
     };
     let unrun = *block.unrun.get(row)?;
-    let lane = if flags & flag::LATE == 0 { LaneStatus::Done } else { LaneStatus::Late };
+    let lane = match flags & (flag::LATE | flag::WAITED) {
+        0 => LaneStatus::Done,
+        flag::LATE => LaneStatus::Late,
+        _ => LaneStatus::Waited,
+    };
     let revision = *block.revision.get(row)?;
     // Not needed, but a whole row has it.
     block.events.get(row)?;
-    let limit = block.limit.get(row).copied().filter(|limit| 0 < *limit);
-    Some((tick, KeyTick { sample, revision, lane, unrun, limit }, flags))
+    let [limit, late_limit] = [&block.limit, &block.late_limit]
+        .map(|limits| limits.get(row).copied().filter(|limit| 0 < *limit));
+    Some((tick, KeyTick { sample, revision, lane, unrun, limit, late_limit }, flags))
 }

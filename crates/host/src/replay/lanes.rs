@@ -158,7 +158,7 @@ impl ReplaySlot {
                 turn.hold();
                 let mut ran = 0;
                 if fed.unrun & 1 == 0 {
-                    self.catch_up(tick, fed.unrun);
+                    self.catch_up(tick, fed);
                     self.late.hand_over(turn);
                     ran = self.slot.ran_before(tick);
                 }
@@ -166,8 +166,16 @@ impl ReplaySlot {
                 seen.pass(ran);
                 self.pending.push((tick, fed.sample, rules));
             }
+            LaneStatus::Waited => {
+                self.catch_up(tick, fed);
+                self.change(fed.revision, changes, seen)?;
+                self.slot.wait(tick, turn);
+                self.slot.observe(followed, turn, seen);
+                self.late.hand_over(turn);
+                self.pending.push((tick, fed.sample, rules));
+            }
             LaneStatus::Done => {
-                self.catch_up(tick, fed.unrun);
+                self.catch_up(tick, fed);
                 self.change(fed.revision, changes, seen)?;
                 self.slot.allow_recorded(rules, fed.limit);
                 self.slot.tick(tick, &fed.sample, turn);
@@ -178,14 +186,15 @@ impl ReplaySlot {
         Ok(())
     }
 
-    /// Runs those of the late ticks that were run.
-    fn catch_up(&mut self, tick: u64, unrun: u32) {
+    /// Runs those of the late ticks that were run: at most one, since a voice is away with its
+    /// lane until it comes back.
+    fn catch_up(&mut self, tick: u64, &KeyTick { unrun, late_limit, .. }: &KeyTick) {
         for (late, sample, rules) in std::mem::take(&mut self.pending) {
             let before = u32::try_from(tick - late).unwrap_or(u32::MAX);
             match unrun.checked_shr(before) {
                 Some(bit) if bit & 1 == 0 => {
                     let mut turn = VoiceOutput::default();
-                    self.slot.allow_recorded(rules, None);
+                    self.slot.allow_recorded(rules, late_limit);
                     self.slot.tick(late, &sample, &mut turn);
                     self.late.keep(&turn);
                 }
@@ -253,7 +262,15 @@ mod tests {
         let rules = TickRules { simplified: Simplifications::NONE, hz: 1000 };
         let at = |tick: &u64| (*tick, KeySample::fresh(0.0), rules);
         slot.pending = late.iter().map(at).collect();
-        slot.catch_up(38, unrun);
+        let fed = KeyTick {
+            sample: KeySample::fresh(0.0),
+            revision: 0,
+            lane: LaneStatus::Done,
+            unrun,
+            limit: None,
+            late_limit: None,
+        };
+        slot.catch_up(38, &fed);
         assert!(slot.pending.is_empty());
         slot
     }

@@ -70,7 +70,7 @@ pub struct KeyBlock {
     #[prost(bytes = "vec", tag = "9")]
     pub mode: ::prost::alloc::vec::Vec<u8>,
     /// Bits: 1 asleep, 2 late, 4 fresh (its force knows nothing of the one before), 8 rows before
-    /// this one are missing.
+    /// this one are missing, 16 late because the voice had to wait for its lane's time.
     #[prost(bytes = "vec", tag = "10")]
     pub flags: ::prost::alloc::vec::Vec<u8>,
     /// 0 none, 1 not finite, 2 bad sample, 3 capped, 4 diverged, 5 panicked,
@@ -97,6 +97,9 @@ pub struct KeyBlock {
     /// Units of work after which a capped turn was cut off; 0 of other turns. Empty if none was.
     #[prost(uint32, repeated, tag = "17")]
     pub limit: ::prost::alloc::vec::Vec<u32>,
+    /// The same of the turn that came too late for an earlier tick and whose events this row has.
+    #[prost(uint32, repeated, tag = "18")]
+    pub late_limit: ::prost::alloc::vec::Vec<u32>,
 }
 /// Topic `/key/<n>/state`: one key for viewers that take one value with each time.
 #[derive(Clone, PartialEq, ::prost::Message)]

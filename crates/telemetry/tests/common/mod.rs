@@ -83,6 +83,7 @@ pub(crate) fn block(key: u32, tick: u64) -> Update {
         taken: vec![0.0; count],
         velocity: Vec::new(),
         limit: Vec::new(),
+        late_limit: Vec::new(),
         force: rows.iter().map(|row| random(row, 1)).collect(),
         sent: rows.iter().map(|row| random(row, 2)).collect(),
         mode: vec![1; count],

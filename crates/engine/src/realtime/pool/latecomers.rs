@@ -19,11 +19,13 @@ pub struct LaneCounters {
     pub passed: u64,
 }
 
-/// Note events of a key's late turns, and whether its force must count as fresh.
+/// Note events of a key's late turn, the limit that cut it off, and whether its force must count as
+/// fresh.
 #[derive(Clone, Debug, Default)]
 pub struct LateResult {
     events: Events,
     fresh: bool,
+    limit: u32,
 }
 
 impl LateResult {
@@ -31,6 +33,7 @@ impl LateResult {
     pub fn keep(&mut self, turn: &VoiceOutput) {
         self.events.extend(&turn.events);
         self.fresh |= turn.fresh || turn.fault.is_some();
+        self.limit = turn.limit;
     }
 
     /// Inserts the kept events before those of `turn`.
@@ -38,13 +41,14 @@ impl LateResult {
         let mut events = std::mem::take(&mut self.events);
         events.extend(&turn.events);
         turn.events = events;
+        turn.late_limit = std::mem::take(&mut self.limit);
         // A held force is the old one; the next force that is not held will be fresh.
         turn.fresh |= self.fresh && !turn.late;
         self.fresh &= turn.late;
     }
 
     fn is_empty(&self) -> bool {
-        !self.fresh && self.events.is_empty()
+        !self.fresh && self.limit == 0 && self.events.is_empty()
     }
 }
 

@@ -9,7 +9,7 @@ const COLUMNS: [&str; 8] =
     ["t [s]", "tick", "position [m]", "force [N]", "sent [N]", "mode", "flags", "fault"];
 
 /// Meaning of each bit of `KeyBlock.flags`.
-const FLAGS: [&str; 8] = ["asleep", "late", "fresh", "not run", "other tick", "32", "64", "128"];
+const FLAGS: [&str; 8] = ["asleep", "late", "fresh", "gap before", "waited", "32", "64", "128"];
 
 /// Meaning of each value of `KeyBlock.fault`.
 const FAULTS: [&str; 8] =
