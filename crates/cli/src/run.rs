@@ -54,9 +54,9 @@ pub struct RunArgs {
     /// in brackets, as a scene has it.
     #[arg(long, value_name = "FILE.mid")]
     pub performance: Option<String>,
-    /// Where strikes go: a port's name, `virtual`, a device after `raw:`, a file, or `none`.
-    #[arg(long, value_name = "PORT|virtual|raw:DEVICE|FILE.mid|none")]
-    pub midi: Option<String>,
+    /// Where strikes go, and how they are heard.
+    #[command(flatten)]
+    pub output: OutputArgs,
     /// Records everything into a file of MCAP, from before the first tick on.
     #[arg(long, value_name = "FILE.mcap")]
     pub record: Option<PathBuf>,
@@ -92,6 +92,26 @@ pub struct RunArgs {
     pub quiet: bool,
 }
 
+/// Outputs of the strikes.
+#[derive(Clone, Debug, Args)]
+pub struct OutputArgs {
+    /// Where strikes go: a port's name, `virtual`, a device after `raw:`, a file, or `none`.
+    #[arg(long, value_name = "PORT|virtual|raw:DEVICE|FILE.mid|none")]
+    pub midi: Option<String>,
+    /// Plays through the default sound device.
+    #[arg(long)]
+    pub sound: bool,
+    /// Renders the run as sound into a file, when it is over.
+    #[arg(long, value_name = "FILE.wav")]
+    pub wav: Option<String>,
+    /// Draws the notes of the run into a file, when it is over.
+    #[arg(long, value_name = "FILE.svg")]
+    pub picture: Option<String>,
+    /// The sounds of --sound and --wav; an installed SoundFont without it.
+    #[arg(long, value_name = "FILE.sf2")]
+    pub font: Option<String>,
+}
+
 impl RunArgs {
     fn scene(&self) -> &str {
         self.scene_option.as_deref().unwrap_or(&self.target.scene)
@@ -99,15 +119,22 @@ impl RunArgs {
 
     /// Returns all overrides of the scene, the named options last.
     fn overrides(&self) -> Vec<Override> {
+        let output = &self.output;
         let named = [
             ("--performance", "pianist.performance", &self.performance),
-            ("--midi", "midi.output", &self.midi),
+            ("--midi", "midi.output", &output.midi),
+            ("--wav", "midi.wav", &output.wav),
+            ("--picture", "midi.picture", &output.picture),
+            ("--font", "midi.font", &output.font),
         ];
+        let sound =
+            Override { name: "midi.sound".into(), typed: "--sound".into(), value: "true".into() };
         let named = named.into_iter().filter_map(|(option, name, value)| {
             let value = value.clone()?;
             Some(Override { name: name.into(), typed: format!("{option} {value}"), value })
         });
-        self.target.overrides().into_iter().chain(named).collect()
+        let sound = Some(sound).filter(|_| output.sound);
+        self.target.overrides().into_iter().chain(named).chain(sound).collect()
     }
 }
 

@@ -28,6 +28,7 @@ pub mod output;
 pub mod pedal;
 pub mod player;
 pub mod schedule;
+pub mod sound;
 pub mod velocity;
 
 pub use guardian::NoteGuardian;

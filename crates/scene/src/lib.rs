@@ -65,7 +65,7 @@ pub use needs::{Needs, Unmet};
 pub use realtime::{LaneCount, ThreadPolicy, ThreadRules};
 pub use render::{InputReconstruction, PassivityMode, Render};
 pub use rig::{FingerName, Rig};
-pub use scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, Scene};
+pub use scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, Scene, SoundConfig};
 pub use source::Override;
 pub use voicing::{InstrumentFile, Voicing};
 pub use write::written;

@@ -77,6 +77,20 @@ pub struct Midi {
     /// The instruments of the programs from 1 on, names or paths; those of General MIDI if there
     /// are none.
     pub programs: Vec<String>,
+    pub sound: SoundConfig,
+}
+
+/// Sound and pictures of what is played, beside the MIDI output.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct SoundConfig {
+    /// `true` if the default sound device plays.
+    pub is_live: bool,
+    /// WAV file that is written.
+    pub wav: Option<PathBuf>,
+    /// SVG file with a picture of the notes.
+    pub picture: Option<PathBuf>,
+    /// SoundFont; an installed one if there is none.
+    pub font: Option<PathBuf>,
 }
 
 /// A MIDI port to listen to.
@@ -346,6 +360,12 @@ fn read_midi(report: &mut FindingList, scene: &mut TableReader<'_>) -> Midi {
         };
     }
     midi.programs = read_programs(report, &mut reader);
+    let help = "give true to play through the default sound device";
+    midi.sound.is_live = read_truth(report, &mut reader, "sound", help);
+    let SoundConfig { wav, picture, font, .. } = &mut midi.sound;
+    for (name, path) in [("wav", wav), ("picture", picture), ("font", font)] {
+        *path = reader.text(report, name).map(|(path, _)| path.into());
+    }
     reader.finish(report);
     midi
 }
@@ -386,7 +406,8 @@ fn midi_output(output: String) -> MidiOutput {
 fn read_pianist(report: &mut FindingList, scene: &mut TableReader<'_>) -> Option<PlayList> {
     let mut reader = scene.table(report, "pianist")?;
     let pieces = read_pieces(report, &mut reader);
-    let repeat = read_repeat(report, &mut reader);
+    let help = "give true to begin again after the last piece, without an end";
+    let repeat = read_truth(report, &mut reader, "repeat", help);
     reader.finish(report);
     (!pieces.is_empty()).then_some(PlayList { pieces, repeat })
 }
@@ -415,13 +436,18 @@ fn read_pieces(report: &mut FindingList, pianist: &mut TableReader<'_>) -> Vec<P
     pieces
 }
 
-fn read_repeat(report: &mut FindingList, pianist: &mut TableReader<'_>) -> bool {
-    let Some(entry) = pianist.take("repeat") else { return false };
-    if let TomlKind::Truth(repeat) = entry.node.kind {
-        return repeat;
+/// Returns the truth value `name`, `false` without one.
+fn read_truth(
+    report: &mut FindingList,
+    table: &mut TableReader<'_>,
+    name: &'static str,
+    help: &str,
+) -> bool {
+    let Some(entry) = table.take(name) else { return false };
+    if let TomlKind::Truth(is_set) = entry.node.kind {
+        return is_set;
     }
-    let help = "give true to begin again after the last piece, without an end";
-    read::wrong_kind(report, "repeat", &entry.node, "true or false", help);
+    read::wrong_kind(report, name, &entry.node, "true or false", help);
     false
 }
 

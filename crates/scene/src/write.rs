@@ -9,7 +9,9 @@ use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
 use super::overload;
 use super::realtime::LaneCount;
-use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, RAW, Scene};
+use super::scene::{
+    Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, RAW, Scene, SoundConfig,
+};
 
 /// Returns `scene` as a complete file with the present values; it is read back to the last bit.
 pub fn written(scene: &Scene) -> String {
@@ -66,6 +68,15 @@ fn midi(it: &Midi) -> Table {
     }
     if !it.programs.is_empty() {
         table["programs"] = value(it.programs.iter().map(String::as_str).collect::<Array>());
+    }
+    let SoundConfig { is_live, wav, picture, font } = &it.sound;
+    if *is_live {
+        table["sound"] = value(true);
+    }
+    for (name, path) in [("wav", wav), ("picture", picture), ("font", font)] {
+        if let Some(path) = path {
+            table[name] = value(absolute(path));
+        }
     }
     table
 }

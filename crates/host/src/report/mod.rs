@@ -3,6 +3,7 @@
 use std::fmt;
 
 use hdrhistogram::Histogram;
+use midi::sound::SoundReport;
 use serde::{Deserialize, Serialize};
 
 use engine::voice::AuditReport;
@@ -209,6 +210,10 @@ pub struct MidiReport {
     /// Silences of the host so long that the guardian ended its notes.
     pub interruptions: u64,
     pub failed: u64,
+    /// Sound and picture beside the output; `None` if there is neither.
+    pub sound: Option<String>,
+    /// Counts of the live sound's callback.
+    pub callbacks: Option<SoundReport>,
     /// First reason; a sentence.
     pub trouble: Option<String>,
 }
@@ -346,11 +351,26 @@ impl MidiReport {
     /// Returns the name of the output, or the reason for its absence.
     pub(crate) fn words(&self) -> String {
         let Self { output, trouble, .. } = self;
-        trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))
+        let port =
+            trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"));
+        match &self.sound {
+            Some(sound) => format!("{port}; {sound}"),
+            None if output == "none" => {
+                format!("{port}; nothing is heard without --sound or --midi")
+            }
+            None => port,
+        }
     }
 
     fn fmt_line(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "  midi        {}", self.output)?;
+        if let Some(sound) = &self.sound {
+            write!(f, "; {sound}")?;
+        }
+        if let Some(SoundReport { callbacks, long, late }) = self.callbacks {
+            write!(f, ", {long} of {callbacks} periods took more than half their time, ")?;
+            write!(f, "{late} messages were late")?;
+        }
         if let Some(q) = &self.handover_us {
             write!(f, "; handed over after p50 {:.0} p99 {:.0} max {:.0} us", q.p50, q.p99, q.max)?;
         }

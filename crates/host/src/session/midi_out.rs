@@ -9,7 +9,9 @@ use crate::control::RunHandle;
 use crate::guardian::{GuardedOutput, GuardedPort, GuardianReport, GuardianTrouble};
 use crate::midi_thread::{AnyOutput, PlaybackSummary};
 use crate::report::{MidiReport, Quantiles};
+use crate::session::sound_out::OpenedSound;
 use crate::session::{SessionError, patiently};
+use midi::sound::SoundCounters;
 use scene::{Midi, MidiOutput};
 
 /// Drops every message.
@@ -34,12 +36,17 @@ pub(crate) fn nowhere() -> AnyOutput {
 pub(super) struct OpenedOutput {
     pub(super) report: MidiReport,
     guardian: Arc<Mutex<GuardianReport>>,
+    sound: Option<Arc<SoundCounters>>,
 }
 
 impl OpenedOutput {
     fn new(output: String, trouble: Option<String>) -> Self {
         let report = MidiReport { output, trouble, ..MidiReport::default() };
-        Self { report, guardian: Arc::default() }
+        Self { report, guardian: Arc::default(), sound: None }
+    }
+
+    pub(super) fn hear(&mut self, opened: OpenedSound) {
+        (self.report.sound, self.sound) = (opened.words, opened.counters);
     }
 
     /// Returns its part of the report after the run, by this process and by the guardian.
@@ -52,6 +59,7 @@ impl OpenedOutput {
             interruptions: guardian.n_interruptions,
             failed: played.n_troubles + guardian.n_lost,
             trouble: trouble.or_else(|| self.report.trouble.clone()),
+            callbacks: self.sound.as_ref().map(|counters| counters.report()),
             ..self.report.clone()
         }
     }
@@ -142,7 +150,7 @@ fn open_port(
 }
 
 /// Rejects a file in a missing folder before the run, since the file is written at its end.
-fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
+pub(super) fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
             Err(SessionError::NoFolder { path: shown(path), folder: shown(folder) })

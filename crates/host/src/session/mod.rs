@@ -10,6 +10,7 @@ mod monitored_output;
 mod observed;
 mod play_list;
 mod real;
+mod sound_out;
 mod threads;
 mod trial;
 mod unit_costs;
@@ -75,11 +76,13 @@ pub enum SessionError {
         /// Mistake and remedy.
         reason: String,
     },
-    #[error("the MIDI file {path} cannot be written: there is no folder {folder}; make it first")]
+    #[error("{path} cannot be written: there is no folder {folder}; make it first")]
     NoFolder { path: String, folder: String },
     /// The MIDI output is of no known kind.
     #[error("the MIDI output cannot be opened: {0}")]
     Midi(String),
+    #[error(transparent)]
+    Sound(#[from] midi::sound::SoundError),
     /// The MIDI port is missing, or another program has it.
     #[error("the MIDI output cannot be opened: {0}")]
     MidiPort(String),
@@ -154,6 +157,7 @@ impl SessionError {
             | Self::Performance { .. }
             | Self::NoFolder { .. }
             | Self::Midi(_)
+            | Self::Sound(_)
             | Self::Endless => Healing::Never,
         }
     }
@@ -276,7 +280,9 @@ impl RunSession {
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
         let (voices, unit_costs) = observed::voices(&builder, &handle, options)?;
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
-        let (output, midi) = midi_out::open(&scene.midi, &handle)?;
+        let (output, mut midi) = midi_out::open(&scene.midi, &handle)?;
+        let (output, heard) = sound_out::add(scene, output)?;
+        midi.hear(heard);
         let output: AnyOutput = Box::new(MonitoredOutput { output, sender: observed.sender() });
         let (wake, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         let dispatcher = dispatcher(consumer, (output, scene.midi.curve), performance, &counters);

@@ -91,6 +91,10 @@ fn midi_goes_to_a_port_a_file_or_nowhere() {
     check("FLUID Synth", &MidiOutput::Port("FLUID Synth".to_owned()));
     check("raw:/dev/snd/midiC1D0", &MidiOutput::Raw("/dev/snd/midiC1D0".into()));
     check("takes/one.MID", &MidiOutput::File("takes/one.MID".into()));
+    let set = [("midi.sound", "true"), ("midi.wav", "/a.wav"), ("midi.font", "/a.sf2")];
+    let heard = load(MINIMAL, &set).midi.sound;
+    assert!(heard.is_live && heard.picture.is_none(), "{heard:?}");
+    assert_eq!((heard.wav, heard.font), (Some("/a.wav".into()), Some("/a.sf2".into())));
 }
 
 #[test]
