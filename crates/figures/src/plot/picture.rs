@@ -417,7 +417,9 @@ fn draw_numbers(canvas: &mut Canvas, axis: &PictureAxis, edge: &PanelEdge<'_>) {
         return edge.draw_axis(canvas);
     }
     let [(left, _), (_, bottom)] = edge.panel;
-    for (value, name) in axis.names.iter().enumerate() {
+    let is_shown =
+        |value: usize| axis.ends.is_none_or(|(low, high)| (low..=high).contains(&(value as f64)));
+    for (value, name) in axis.names.iter().enumerate().filter(|(value, _)| is_shown(*value)) {
         let place = edge.axis.place(value as f64);
         match edge.side {
             PanelSide::Below => canvas.text(name, (place, bottom + 13.0), TEXT, Anchor::Middle),

@@ -7,7 +7,7 @@ use documents::shown;
 use figures::plot::color::{CURVES, Color};
 use figures::plot::picture::{Picture, PictureArea, PictureAxis, PicturePanel};
 use firmware_protocol::key::KeyIndex;
-use midi::sound::{Font, LiveSound, Programs, SoundCounters, WavFile};
+use midi::sound::{Font, LiveSound, Programs, SoundCounters, SoundError, WavFile};
 use midi::{Message, MidiSendError, Output};
 
 use super::SessionError;
@@ -64,10 +64,18 @@ pub(super) fn add(
         let font = Font::find(font.as_deref())?;
         let programs = programs(scene);
         if *is_live {
-            let live = LiveSound::open(&font, &programs)?;
-            words.push(format!("sound: {} with {}", live.name(), font.name()));
-            counters = Some(live.counters());
-            outputs.push(Box::new(live));
+            match LiveSound::open(&font, &programs) {
+                Ok(live) => {
+                    words.push(format!("sound: {} with {}", live.name(), font.name()));
+                    counters = Some(live.counters());
+                    outputs.push(Box::new(live));
+                }
+                // It is heard from the file.
+                Err(SoundError::NoDevice) if wav.is_some() => {
+                    words.push("no sound device is here".into());
+                }
+                Err(error) => return Err(error.into()),
+            }
         }
         if let Some(path) = wav {
             words.push(format!("sound: {} with {}", shown(path), font.name()));

@@ -12,7 +12,7 @@ pub enum SoundError {
     NoFont { places: String },
     #[error("the SoundFont {} cannot be read: {reason}; name another with --font", shown(.path))]
     Font { path: PathBuf, reason: String },
-    #[error("there is no sound device here: give --wav FILE.wav with --virtual-time")]
+    #[error("there is no sound device here: give --wav FILE.wav as well")]
     NoDevice,
     #[error("the sound device cannot be opened: {0}; close other programs that use it")]
     Device(String),
