@@ -127,11 +127,13 @@ impl LiveSound {
             rate: f64::from(config.sample_rate),
             buffers: [vec![0.0; LARGEST], vec![0.0; LARGEST]],
         };
-        let stream = match supported.sample_format() {
+        let format = supported.sample_format();
+        #[expect(clippy::wildcard_enum_match_arm, reason = "foreign; devices take these")]
+        let stream = match format {
             SampleFormat::F32 => build::<f32>(&device, config, callback),
             SampleFormat::I32 => build::<i32>(&device, config, callback),
             SampleFormat::I16 => build::<i16>(&device, config, callback),
-            format => Err(SoundError::Device(format!("it takes samples of {format} only"))),
+            _ => Err(SoundError::Device(format!("it takes samples of {format} only"))),
         }?;
         stream.play().map_err(|error| SoundError::Device(error.to_string()))?;
         Ok(Self { ring, counters, origin: ClockOrigin::default(), began, name, stream })

@@ -13,7 +13,7 @@ use super::{Font, Programs, Sampler, SoundError};
 const RATE: u32 = 48_000;
 
 /// Frames that are rendered at once.
-const CHUNK: usize = 4800;
+const CHUNK: usize = 480;
 
 /// Longest sound after the last message (frames).
 const LONGEST_TAIL: u64 = 10 * RATE as u64;
