@@ -6,6 +6,7 @@ mod architecture;
 mod bad_boards;
 mod bad_input;
 mod configs;
+mod daw;
 mod descriptions;
 mod faults;
 mod fidelity;

@@ -29,7 +29,7 @@ fn a_file_that_is_something_else_is_refused() {
 
 #[test]
 fn a_truncated_file_is_refused_with_what_is_missing() {
-    check_refused("cut.mid", &bach()[..1000], "truncated: a chunk of 4584 bytes has only 978");
+    check_refused("cut.mid", &bach()[..1000], "track 1 of the MIDI file cannot be read from byte");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use rustix::process::{Pid, Signal, kill_process};
 
 use crate::letoff::{end, folder, start};
 
-const UNDER_WAY: u64 = 4000;
+const UNDER_WAY: u64 = 6000;
 
 #[test]
 fn told_to_terminate_it_ends_all_notes_and_reports() {

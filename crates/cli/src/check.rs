@@ -1,31 +1,32 @@
-//! `letoff check FILE`: checks a scene, an instrument or a description of a model.
+//! `letoff check FILE`: checks a scene, an instrument, a description of a model or a MIDI file.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use documents::shown;
+use serde_json::json;
 
 use super::stable::check_stability;
-use super::{Failure, print_json};
+use super::{Failure, piece, print_json};
 use scene::{FileKind, Instrument, Library, check_file};
 
 /// What `letoff check` takes.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "Example:
-  letoff check my-scene.toml my-action.toml")]
+  letoff check my-scene.toml my-action.toml song.mid")]
 pub struct CheckArgs {
-    /// The scenes, instruments or descriptions of models to check.
+    /// The scenes, instruments, descriptions of models or MIDI files to check.
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
-    /// Prints the mistakes as JSON.
+    /// Prints the mistakes as JSON, and what is in MIDI files.
     #[arg(long)]
     pub json: bool,
 }
 
 pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let library = Library::default();
-    let mut wrong = Vec::new();
+    let (mut wrong, mut pieces) = (Vec::new(), Vec::new());
     for file in &args.files {
         match check_file(&library, file) {
             Ok(FileKind::Scene) => match check_stability(file) {
@@ -38,6 +39,13 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
                 }
                 Err(diagnostics) => wrong.push(diagnostics),
             },
+            Ok(FileKind::Piece) => {
+                let (words, report) = piece::contents(file)?;
+                if !args.json {
+                    writeln!(out, "{words}")?;
+                }
+                pieces.push(report);
+            }
             Ok(_) if args.json => {}
             Ok(kind) => {
                 writeln!(out, "{}: a good {}", shown(file), kind.name())?;
@@ -49,7 +57,8 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
         }
     }
     if args.json {
-        print_json(&wrong, out)?;
+        let checked: Vec<_> = wrong.iter().map(|it| json!(it)).chain(pieces).collect();
+        print_json(&checked, out)?;
     }
     if wrong.is_empty() {
         return Ok(());

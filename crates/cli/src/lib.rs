@@ -21,6 +21,7 @@ mod log;
 pub mod manual;
 mod midi_guardian;
 mod model;
+mod piece;
 mod plan;
 mod press;
 pub mod progress;

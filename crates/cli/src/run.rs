@@ -12,6 +12,7 @@ use super::arguments::seconds;
 use super::attend::RunAttendant;
 use super::endpoints::{self, Endpoints, Reach};
 use super::log::{LogFormat, LogLines, StderrLog};
+use super::piece::PieceArgs;
 use super::recording::RecordingArgs;
 use super::reload::{self, SceneFile};
 use super::service::ServiceNotifier;
@@ -34,6 +35,7 @@ use telemetry::log::Level;
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "Examples:
   letoff run                                  the default scene, until its piece is over
+  letoff run song.mid                         the default scene plays a file of yours
   letoff run --duration 30 --json             half a minute, with a report for a program
   letoff run bach --virtual-time --midi bach-played.mid
   letoff run my-scene.toml --watch            plays descriptions anew when they are saved
@@ -50,10 +52,8 @@ pub struct RunArgs {
     /// Length of the run (s); without it, to the end of the last piece.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub duration: Option<f64>,
-    /// What the virtual pianist plays: an embedded piece's name or a MIDI file, or a list of them
-    /// in brackets, as a scene has it.
-    #[arg(long, value_name = "FILE.mid")]
-    pub performance: Option<String>,
+    #[command(flatten)]
+    pub piece: PieceArgs,
     /// Where strikes go, and how they are heard.
     #[command(flatten)]
     pub output: OutputArgs,
@@ -121,7 +121,6 @@ impl RunArgs {
     fn overrides(&self) -> Vec<Override> {
         let output = &self.output;
         let named = [
-            ("--performance", "pianist.performance", &self.performance),
             ("--midi", "midi.output", &output.midi),
             ("--wav", "midi.wav", &output.wav),
             ("--picture", "midi.picture", &output.picture),
@@ -134,13 +133,22 @@ impl RunArgs {
             Some(Override { name: name.into(), typed: format!("{option} {value}"), value })
         });
         let sound = Some(sound).filter(|_| output.sound);
-        self.target.overrides().into_iter().chain(named).chain(sound).collect()
+        let scene = self.target.overrides().into_iter().chain(self.piece.overrides());
+        scene.chain(named).chain(sound).collect()
+    }
+
+    /// Returns these arguments with a MIDI file in place of the scene as piece of the default one.
+    fn with_piece_of_scene(&self) -> Result<Self, Failure> {
+        let Some(piece) = self.piece.instead_of(self.scene())? else { return Ok(self.clone()) };
+        let scene_option = Some("default".to_owned());
+        Ok(Self { scene_option, piece, ..self.clone() })
     }
 }
 
 /// Runs the host and prints its report. After an end without a failure the last scene is deleted:
 /// the next start is no restart after a crash.
 pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let args = &args.with_piece_of_scene()?;
     perform_and_report(args, out)?;
     // The file is missing if no scene was accepted.
     let _missing = args.last_scene.as_ref().map(fs::remove_file);

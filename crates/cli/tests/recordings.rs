@@ -25,6 +25,49 @@ fn a_run_is_recorded_replayed_and_exported() {
     assert!(events.contains("strike"), "{events}");
 }
 
+/// A format 1 file: C4, and E4 on channel 2 of a second track called "left", half a second each.
+const SONG: &[u8] = b"MThd\0\0\0\x06\0\x01\0\x02\x01\xf4\
+    MTrk\0\0\0\x0d\0\x90\x3c\x40\x83\x74\x80\x3c\x40\0\xff\x2f\0\
+    MTrk\0\0\0\x15\0\xff\x03\x04left\0\x91\x40\x40\x83\x74\x81\x40\x40\0\xff\x2f\0";
+
+#[test]
+fn a_song_is_checked_played_and_its_recording_gives_the_same_midi_file() {
+    let folder = Folder::new("song");
+    folder.write("song.mid", SONG);
+    let (code, out, err) = folder.letoff(&["check", "song.mid"]);
+    assert_eq!(code, Some(0), "{err}");
+    for line in [
+        "song.mid: a good piece\n  0.5 s, 2 notes, 0 pedal moves\n  track 1 \"\": 1 notes",
+        "  track 2 \"left\": 1 notes, channels [2]\n  not played as in the file: nothing\n",
+    ] {
+        assert!(out.contains(line), "{out}");
+    }
+    let (_code, out, _err) = folder.letoff(&["check", "--json", "song.mid"]);
+    let report: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(report[0]["tracks"][1]["channels"], serde_json::json!([2]), "{report}");
+    let song = ["record", "take.mcap", "song.mid", "--track", "2", "--midi", "live.mid"];
+    let fast = ["--virtual-time", "--set", "keys.instrument=grand-springs"];
+    let (code, out, err) = folder.letoff(&[&song[..], &fast].concat());
+    assert_eq!(code, Some(0), "{err}");
+    assert!(out.contains("1 of 1 struck") && out.contains("1 notes of other tracks"), "{out}");
+    let (code, _out, err) = folder.letoff(&["replay", "take.mcap", "--midi", "take.mid"]);
+    assert_eq!(code, Some(0), "{err}");
+    let notes = ["live.mid", "take.mid"].map(|file| {
+        let bytes = std::fs::read(folder.join(file)).expect("a file");
+        pianist::read(&bytes).expect("a score").notes[0]
+    });
+    let [live, taken] = notes;
+    assert_eq!((live.key, live.velocity, live.release), (43, taken.velocity, taken.release));
+    let apart = (live.onset - taken.onset).abs().max((live.end - taken.end).abs());
+    assert!(apart < 50e-6 && (live.onset - 2.0).abs() < 2e-3, "a bar before: {notes:?}");
+
+    let (code, _out, err) = folder.letoff(&["replay", "take.mcap", "--midi", "take.wav"]);
+    assert!(code == Some(2) && err.contains("let it end in .mid"), "{err}");
+    let twice = ["run", "song.mid", "--performance", "song.mid"];
+    folder.refuses(&twice, 2, &["song.mid and song.mid are both pieces"]);
+    folder.refuses(&["run", "song.mid", "--track", "3"], 2, &["has no track 3"]);
+}
+
 #[test]
 fn a_recording_is_not_written_over() {
     let folder = Folder::new("twice");

@@ -160,12 +160,12 @@ fn a_key_is_pressed_as_long_as_the_command_runs_and_let_go_if_it_is_killed() {
     press.wait().expect("it ends");
     up(client);
     let (code, out, err) = folder.letoff(&["press", "60", "--for", "0.2"]);
-    assert_eq!((code, out.as_str()), (Some(0), "key 39 is pressed with 5 N\n"), "{err}");
+    assert_eq!((code, out.as_str()), (Some(0), "C4 is pressed with 5.00 N\n"), "{err}");
     up(client);
     let struck = |status: &Value| status["strikes"].as_u64().expect("a number");
     let before = struck(&playing(&folder));
     let (code, out, err) = folder.letoff(&["press", "C4", "--velocity", "70", "--for", "0.4"]);
-    let newtons = out.trim_start_matches("key 39 is pressed with ").trim_end_matches(" N\n");
+    let newtons = out.trim_start_matches("C4 is pressed with ").trim_end_matches(" N\n");
     let newtons: f64 = newtons.parse().expect("a weight");
     assert!(code == Some(0) && (0.5..50.0).contains(&newtons), "{out}{err}");
     assert_eq!(struck(&playing(&folder)), before + 1);

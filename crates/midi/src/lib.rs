@@ -40,6 +40,7 @@ pub use note::{Note, Velocity};
 pub use output::RawPort;
 pub use output::{
     MidiPort, MidiSendError, MidiSystem, Output, ReconnectingPort, Smf, Unavailable, ports,
+    score_timing::{ScoreMark, ScoreTiming},
 };
 pub use pedal::{Pedal, PedalMove};
 pub use player::{NoteEvent, NoteEventKind, Player, PressureTarget};

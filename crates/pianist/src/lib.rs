@@ -30,5 +30,8 @@ pub use rehearse::{
     LATEST, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall, Strike, StrokeTable,
     StrokeTables,
 };
-pub use score::{Score, ScoreError, ScoreNote, read};
+pub use score::{
+    ChosenParts, PassedOver, PassedOverCounts, Score, ScoreError, ScoreNote, ScoreTrack, read,
+    read_parts,
+};
 pub use stroke::{PlannedStroke, Technique, plan};

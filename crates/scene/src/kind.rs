@@ -60,6 +60,8 @@ pub enum FileKind {
     Scene,
     Instrument,
     Model,
+    /// A MIDI file.
+    Piece,
 }
 
 impl FileKind {
@@ -68,6 +70,7 @@ impl FileKind {
             Self::Scene => "scene",
             Self::Instrument => "instrument",
             Self::Model => "model",
+            Self::Piece => "piece",
         }
     }
 }

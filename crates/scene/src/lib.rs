@@ -65,7 +65,10 @@ pub use needs::{Needs, Unmet};
 pub use realtime::{LaneCount, ThreadPolicy, ThreadRules};
 pub use render::{InputReconstruction, PassivityMode, Render};
 pub use rig::{FingerName, Rig};
-pub use scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, Scene, SoundConfig};
+pub use scene::{
+    Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, Scene, SoundConfig, is_midi_file,
+    midi_output,
+};
 pub use source::Override;
 pub use voicing::{InstrumentFile, Voicing};
 pub use write::written;

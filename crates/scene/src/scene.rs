@@ -2,11 +2,13 @@
 
 use mechanism::Library;
 use std::fs;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::slice;
 
 use keyboard::KeyRange;
 use midi::VelocityCurve;
+use pianist::{ChosenParts, Score, read_parts};
 
 use super::embedded::{PERFORMANCES, SCENES};
 use super::fidelity::{FidelityChoice, FidelityLevel, known_instrument, read_budget};
@@ -29,6 +31,11 @@ use scheduler::overload::OverloadRules;
 
 /// The tick's rate on hardware (Hz).
 const DEFAULT_TICK_HZ: u32 = 1000;
+
+/// Tracks that the header of a file can announce.
+const MAX_TRACK: u16 = u16::MAX;
+
+const MAX_CHANNEL: u16 = 16;
 
 const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 
@@ -129,6 +136,8 @@ pub struct PlayList {
     pub pieces: Vec<PerformanceSource>,
     /// Whether it begins again after the last, for ever.
     pub repeat: bool,
+    /// Tracks and channels of every piece that are played.
+    pub parts: ChosenParts,
 }
 
 /// A performance for the virtual pianist.
@@ -144,6 +153,35 @@ impl std::fmt::Debug for PerformanceSource {
         match self {
             Self::Embedded(name, _bytes) => f.debug_tuple("Embedded").field(name).finish(),
             Self::Path(path) => f.debug_tuple("Path").field(path).finish(),
+        }
+    }
+}
+
+/// Returns `true` if the file at `path` begins like a MIDI file.
+pub fn is_midi_file(path: &Path) -> bool {
+    let mut start = [0; 4];
+    let read = || fs::File::open(path).and_then(|mut file| file.read_exact(&mut start));
+    path.is_file() && { read }().is_ok() && matches!(&start, b"MThd" | b"RIFF")
+}
+
+impl PerformanceSource {
+    /// Returns the name for messages.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Embedded(name, _bytes) => (*name).to_owned(),
+            Self::Path(path) => shown(path),
+        }
+    }
+
+    /// Reads the chosen `parts`.
+    ///
+    /// # Errors
+    /// A sentence: the file cannot be read or played.
+    pub fn score(&self, parts: &ChosenParts) -> Result<Score, String> {
+        let read = |bytes: &[u8]| read_parts(bytes, parts).map_err(|error| error.to_string());
+        match self {
+            Self::Embedded(_name, bytes) => read(bytes),
+            Self::Path(path) => read(&fs::read(path).map_err(|error| error.to_string())?),
         }
     }
 }
@@ -345,7 +383,10 @@ fn read_lanes(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<
 fn read_midi(report: &mut FindingList, scene: &mut TableReader<'_>) -> Midi {
     let mut midi = Midi::default();
     let Some(mut reader) = scene.table(report, "midi") else { return midi };
-    if let Some((output, _)) = reader.text(report, "output") {
+    if let Some((output, place)) = reader.text(report, "output") {
+        if let Some(mistake) = mistaken_output(&output) {
+            report.say(place, format!("{} {mistake}", quoted(&output)), OUTPUTS);
+        }
         midi.output = midi_output(output);
     }
     let curves = VelocityCurve::ALL.map(|curve| (curve.name(), curve));
@@ -386,33 +427,78 @@ fn read_programs(report: &mut FindingList, midi: &mut TableReader<'_>) -> Vec<St
     programs
 }
 
-fn midi_output(output: String) -> MidiOutput {
-    let ending = Path::new(&output).extension();
+/// Remedy for an impossible output.
+const OUTPUTS: &str = "give one of: a file that ends in .mid, raw: and a device, part of a port's name, virtual, none";
+
+/// Returns the output with the name `output`, as a scene has it.
+pub fn midi_output(output: String) -> MidiOutput {
     if output == "none" {
         MidiOutput::None
     } else if output == "virtual" {
         MidiOutput::Virtual
     } else if let Some(path) = output.strip_prefix(RAW) {
         MidiOutput::Raw(path.into())
-    } else if ending
-        .is_some_and(|e| e.eq_ignore_ascii_case("mid") || e.eq_ignore_ascii_case("midi"))
-    {
+    } else if ends_in(&output, &["mid", "midi"]) {
         MidiOutput::File(output.into())
     } else {
         MidiOutput::Port(output)
     }
 }
 
+/// Returns the reason why `output` is neither a file nor a port, if it is meant as a file.
+fn mistaken_output(output: &str) -> Option<&'static str> {
+    const FILES: &str = "smf midi2 mid2 kar rmi wav flac ogg mp3 mcap csv json toml txt sf2";
+    let is_midi = |part| ends_in(part, &["mid", "midi"]);
+    if output.contains(',') && output.split(',').any(is_midi) {
+        return Some("is a list, and there is one MIDI output");
+    }
+    if !matches!(midi_output(output.to_owned()), MidiOutput::Port(_)) {
+        return None;
+    }
+    if FILES.split(' ').any(|ending| ends_in(output, &[ending])) {
+        return Some("has the ending of another kind of file");
+    }
+    output.contains('/').then_some("is a path of no MIDI file, and no port")
+}
+
+fn ends_in(name: &str, endings: &[&str]) -> bool {
+    let ending = Path::new(name.trim()).extension();
+    ending.is_some_and(|it| endings.iter().any(|known| it.eq_ignore_ascii_case(known)))
+}
+
 fn read_pianist(report: &mut FindingList, scene: &mut TableReader<'_>) -> Option<PlayList> {
     let mut reader = scene.table(report, "pianist")?;
-    let pieces = read_pieces(report, &mut reader);
+    let tracks = read_numbers(report, &mut reader, ("track", MAX_TRACK));
+    let channels = read_numbers(report, &mut reader, ("channel", MAX_CHANNEL));
+    let parts = ChosenParts {
+        tracks: tracks.into_iter().filter_map(|it| it.try_into().ok()).collect(),
+        channels: channels.into_iter().filter_map(|it| it.try_into().ok()).collect(),
+    };
+    let pieces = read_pieces(report, &mut reader, &parts);
     let help = "give true to begin again after the last piece, without an end";
     let repeat = read_truth(report, &mut reader, "repeat", help);
     reader.finish(report);
-    (!pieces.is_empty()).then_some(PlayList { pieces, repeat })
+    (!pieces.is_empty()).then_some(PlayList { pieces, repeat, parts })
 }
 
-fn read_pieces(report: &mut FindingList, pianist: &mut TableReader<'_>) -> Vec<PerformanceSource> {
+/// Reads a number from 1 to `most`, or a list of them; an empty list if there is none.
+fn read_numbers(
+    report: &mut FindingList,
+    pianist: &mut TableReader<'_>,
+    (name, most): (&'static str, u16),
+) -> Vec<u32> {
+    let Some(entry) = pianist.take(name) else { return Vec::new() };
+    let node = &entry.node;
+    let nodes = if let TomlKind::List(nodes) = &node.kind { nodes } else { slice::from_ref(node) };
+    let number = Quantity { unit: "1", range: (1.0, most.into()) };
+    nodes.iter().filter_map(|node| read::whole(report, name, node, number)).collect()
+}
+
+fn read_pieces(
+    report: &mut FindingList,
+    pianist: &mut TableReader<'_>,
+    parts: &ChosenParts,
+) -> Vec<PerformanceSource> {
     let Some(entry) = pianist.take("performance") else {
         let help = "add performance = \"…\", or leave the table out";
         report.miss(pianist.place, "the pianist has no performance", help);
@@ -427,7 +513,7 @@ fn read_pieces(report: &mut FindingList, pianist: &mut TableReader<'_>) -> Vec<P
     for node in nodes {
         let Some(wanted) = read::text(report, "performance", node) else { continue };
         if wanted != "none" {
-            pieces.extend(find_performance(report, node.place, &wanted));
+            pieces.extend(find_performance(report, node.place, &wanted, parts));
         } else if 1 < nodes.len() {
             let message = "\"none\" is no piece of a list";
             report.say(node.place, message, "leave it out, or give performance = \"none\" alone");
@@ -456,19 +542,21 @@ fn find_performance(
     report: &mut FindingList,
     place: SourcePlace,
     wanted: &str,
+    parts: &ChosenParts,
 ) -> Option<PerformanceSource> {
-    if let Some((name, bytes)) = PERFORMANCES.iter().find(|(name, _)| *name == wanted) {
-        return Some(PerformanceSource::Embedded(name, bytes));
-    }
+    let embedded = PERFORMANCES.iter().find(|(name, _)| *name == wanted);
     let path = report.folder(place).join(wanted);
-    if path.is_file() {
-        let read = fs::read(&path).map_err(|error| error.to_string());
-        let read = read.and_then(|bytes| pianist::read(&bytes).map_err(|it| it.to_string()));
+    let source = match embedded {
+        Some((name, bytes)) => Some(PerformanceSource::Embedded(name, bytes)),
+        None => path.is_file().then(|| PerformanceSource::Path(path.clone())),
+    };
+    if let Some(source) = source {
+        let read = source.score(parts);
         if let Err(why) = &read {
-            let message = format!("the performance {} cannot be played: {why}", shown(&path));
+            let message = format!("the performance {} cannot be played: {why}", source.name());
             report.say(place, message, "give another MIDI file");
         }
-        return read.is_ok().then_some(PerformanceSource::Path(path));
+        return read.is_ok().then_some(source);
     }
     let (message, help) = if Path::new(wanted).extension().is_some() {
         no_file(&path)

@@ -43,6 +43,14 @@ fn pianist(list: &PlayList) -> Table {
     let mut table = Table::new();
     table["performance"] = value(list.pieces.iter().map(name).collect::<Array>());
     table["repeat"] = value(list.repeat);
+    for (name, numbers) in [
+        ("track", list.parts.tracks.iter().map(|it| i64::from(*it)).collect::<Array>()),
+        ("channel", list.parts.channels.iter().map(|it| i64::from(*it)).collect()),
+    ] {
+        if !numbers.is_empty() {
+            table[name] = value(numbers);
+        }
+    }
     table
 }
 

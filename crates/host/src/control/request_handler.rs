@@ -12,7 +12,7 @@ use scene::{Instrument, KeyVoice, Scene, is_description, written};
 use scheduler::values::ModelValues;
 use telemetry::request::Change;
 use telemetry::stream::{Backend, ParameterSetting, Who};
-use telemetry::{Event, Reply, Request, Update, event};
+use telemetry::{Event, Reply, Request, Update, event, key_name};
 
 use super::current_voices::{CurrentVoices, is_absent, single};
 use super::description_states::DescriptionStates;
@@ -109,13 +109,15 @@ impl RequestHandler {
             Request::Stop {} => return self.stop(who),
             Request::Press { key, newtons } => {
                 self.press(*key, HandCommand::Weight(*newtons), by)?;
-                format!("key {key} is pressed with {newtons} N")
+                let decimals = if *newtons < 10.0 { 2 } else { 1 };
+                format!("{} is pressed with {newtons:.decimals$} N", key_name((*key).into()))
             }
             Request::Grip { key, depth } => {
                 self.press(*key, depth.map_or(HandCommand::AWAY, HandCommand::Grip), by)?;
+                let key = key_name((*key).into());
                 match depth {
-                    Some(depth) => format!("key {key} is held at {depth} times its dip"),
-                    None => format!("key {key} is let go"),
+                    Some(depth) => format!("{key} is held at {depth:.3} times its dip"),
+                    None => format!("{key} is let go"),
                 }
             }
             Request::Margin { key } => self.margin(*key)?,

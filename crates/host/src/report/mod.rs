@@ -14,6 +14,7 @@ mod link_line;
 mod note_report;
 mod overload;
 mod step_counts;
+mod verdict;
 
 pub use board_line::BoardLine;
 pub(crate) use board_line::{
@@ -229,6 +230,7 @@ impl fmt::Display for RunReport {
         if self.extent.stopped {
             writeln!(f, "  STOPPED     boards render no force until they are started anew")?;
         }
+        writeln!(f, "  result      {}", self.verdict())?;
         let locked = if self.realtime.memory_locked { "locked" } else { "not locked" };
         writeln!(f, "  real time   {}, memory {locked}", self.realtime.policy)?;
         for advice in &self.realtime.advice {

@@ -2,8 +2,8 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use firmware_protocol::key::KeyIndex;
-use pianist::{Assessment, Deviation, DeviationKind, ShortStroke};
-use serde::Serialize;
+use pianist::{Assessment, Deviation, DeviationKind, PassedOverCounts, ShortStroke};
+use serde::{Serialize, Serializer};
 use telemetry::key_name;
 
 /// The quality of a performance.
@@ -38,24 +38,22 @@ pub struct UnplayedNotes {
     /// Notes on keys without a voice in the scene.
     pub without_voice: usize,
     pub keys_without_voice: Vec<String>,
-    /// Notes beyond the 88 keys, or percussion.
-    pub outside: u32,
-    /// Notes that begin while another holds their key: that one ends, or both merge.
-    pub overlapping: u32,
+    /// Contents of the pieces by kind, such as `percussion` and `program_changes`.
+    #[serde(flatten, serialize_with = "by_name")]
+    pub passed_over: PassedOverCounts,
+}
+
+/// Serializes every kind by its name.
+fn by_name<S: Serializer>(counts: &PassedOverCounts, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(counts.named())
 }
 
 impl UnplayedNotes {
-    /// Counts notes without a voice on `keys` (0 to 87, one per note), outside of the keyboard,
-    /// and overlapping.
-    pub fn new(keys: &[u8], outside: u32, overlapping: u32) -> Self {
+    /// Counts notes without a voice on `keys` (0 to 87, one per note), and what was passed over.
+    pub fn new(keys: &[u8], passed_over: PassedOverCounts) -> Self {
         let names: BTreeSet<u8> = keys.iter().copied().collect();
         let names = names.into_iter().filter_map(KeyIndex::new).map(|key| key.to_string());
-        Self {
-            without_voice: keys.len(),
-            keys_without_voice: names.collect(),
-            outside,
-            overlapping,
-        }
+        Self { without_voice: keys.len(), keys_without_voice: names.collect(), passed_over }
     }
 
     fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -64,15 +62,8 @@ impl UnplayedNotes {
             let n = self.without_voice;
             writeln!(f, "              {n} more on keys without a voice in this scene: {keys}")?;
         }
-        if self.outside > 0 {
-            writeln!(f, "              {} more off the 88 keys or percussion", self.outside)?;
-        }
-        if self.overlapping > 0 {
-            let n = self.overlapping;
-            writeln!(
-                f,
-                "              {n} overlap with another on their key, which ends or is one with it"
-            )?;
+        if self.passed_over != PassedOverCounts::default() {
+            writeln!(f, "              not played as in the file: {}", self.passed_over)?;
         }
         Ok(())
     }
@@ -237,6 +228,8 @@ fn fmt_first<T: fmt::Display>(
 
 #[cfg(test)]
 mod tests {
+    use pianist::PassedOver;
+
     use super::*;
 
     struct Shown(NoteReport);
@@ -249,7 +242,12 @@ mod tests {
 
     #[test]
     fn notes_that_no_key_is_asked_for_are_told_with_their_keys() {
-        let unplayed = UnplayedNotes::new(&[3, 0, 3], 2, 0);
+        let mut passed_over = PassedOverCounts::default();
+        passed_over.add(PassedOver::Percussion, 2);
+        passed_over.add(PassedOver::ProgramChanges, 1);
+        let unplayed = UnplayedNotes::new(&[3, 0, 3], passed_over);
+        let json = serde_json::to_value(&unplayed).unwrap();
+        assert_eq!((&json["percussion"], &json["overlapping"]), (&2.into(), &0.into()), "{json}");
         let report = NoteReport {
             unplayed,
             range_m_per_s: Some((0.12, 4.6)),
@@ -257,8 +255,8 @@ mod tests {
         };
         let said = Shown(report).to_string();
         assert!(said.contains("3 more on keys without a voice in this scene: A0, C1"), "{said}");
-        assert!(said.contains("2 more off the 88 keys or percussion"), "{said}");
-        assert!(!said.contains("overlap"), "{said}");
+        let counted = "not played as in the file: 2 notes of percussion (channel 10), 1 program ch";
+        assert!(said.contains(counted), "{said}");
         assert!(said.contains("these keys give 0.12 to 4.60 m/s at the string"), "{said}");
     }
 

@@ -3,7 +3,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use documents::shown;
-use midi::{Message, MidiSendError, Output, Smf};
+use midi::{Message, MidiSendError, Output, ScoreTiming, Smf};
 
 use crate::control::RunHandle;
 use crate::guardian::{GuardedOutput, GuardedPort, GuardianReport, GuardianTrouble};
@@ -65,11 +65,12 @@ impl OpenedOutput {
     }
 }
 
-/// Opens the output, ports behind the guardian of `handle`.
+/// Opens the output, ports behind the guardian of `handle`; a file has the bars of `timing`.
 ///
 /// A machine without MIDI is no error: the run continues, and the report names the remedy.
 pub(super) fn open(
     midi: &Midi,
+    timing: Option<&ScoreTiming>,
     handle: &Arc<RunHandle>,
 ) -> Result<(AnyOutput, OpenedOutput), SessionError> {
     let (port, name) = match &midi.output {
@@ -78,7 +79,8 @@ pub(super) fn open(
             refuse_without_folder(path)?;
             refuse_pipe(path)?;
             let opened = OpenedOutput::new(shown(path), None);
-            return Ok((Box::new(Smf::new(path)), opened));
+            let file = Smf::new(path).with_timing(timing.cloned().unwrap_or_default());
+            return Ok((Box::new(file), opened));
         }
         MidiOutput::Virtual => (GuardedPort::Virtual, "virtual port \"letoff\"".into()),
         MidiOutput::Port(name) => (GuardedPort::Named(name.clone()), format!("port \"{name}\"")),

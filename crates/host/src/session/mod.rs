@@ -280,7 +280,8 @@ impl RunSession {
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
         let (voices, unit_costs) = observed::voices(&builder, &handle, options)?;
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
-        let (output, mut midi) = midi_out::open(&scene.midi, &handle)?;
+        let timing = play_list.as_ref().and_then(|it| it.timing.as_ref());
+        let (output, mut midi) = midi_out::open(&scene.midi, timing, &handle)?;
         let (output, heard) = sound_out::add(scene, output)?;
         midi.hear(heard);
         let output: AnyOutput = Box::new(MonitoredOutput { output, sender: observed.sender() });

@@ -5,10 +5,10 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use documents::shown;
 use haptics::Gesture;
 use instruments::{Playable, Visitor};
-use pianist::{Performance, Pianist, Score, Technique, read};
+use midi::ScoreTiming;
+use pianist::{ChosenParts, Performance, Pianist, Score, Technique};
 
 use super::SessionError;
 use crate::control::RunHandle;
@@ -16,7 +16,7 @@ use crate::report::UnplayedNotes;
 use engine::realtime::clock;
 use engine::voice::VoiceBuilder;
 use figures::rehearsal::{MAX_REHEARSED_TICKS, RehearsalError, RehearsalWork, RehearsedKey};
-use scene::{PerformanceSource, PlayList, Scene};
+use scene::{MidiOutput, PerformanceSource, PlayList, Scene};
 
 pub use pianist::Progress as PianistProgress;
 
@@ -30,6 +30,8 @@ pub(super) struct RehearsedPlayList {
     /// Length of a pass in ticks, if the list repeats.
     pub(super) pass: Option<u64>,
     pub(super) unplayed: UnplayedNotes,
+    /// Bars and names of the piece for a MIDI file, which begin at time 0 of the run.
+    pub(super) timing: Option<ScoreTiming>,
 }
 
 /// Rehearses the scene's play list, up to `duration` (s) if the run ends before the list does.
@@ -40,9 +42,11 @@ pub(super) fn rehearse(
     handle: &RunHandle,
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<RehearsedPlayList>, SessionError> {
-    let Some(PlayList { pieces, repeat }) = &scene.play_list else { return Ok(None) };
-    let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
-    let score = load_all(pieces)?;
+    let Some(PlayList { pieces, repeat, parts }) = &scene.play_list else { return Ok(None) };
+    let hold = Gesture::hold_of(scene.rig.dip);
+    let mut technique = Technique { hold, ..Technique::default() };
+    let score = load_all(pieces, parts)?;
+    let timing = timing_of(scene, &score, &mut technique);
     let length = score.end() + technique.lead_in;
     let work =
         Arc::new(RehearsalWork::new(MAX_REHEARSED_TICKS, Arc::clone(handle.background.is_over())));
@@ -70,28 +74,29 @@ pub(super) fn rehearse(
     let length = length.max(performance.end()) + REST - technique.lead_in;
     let pass = repeat.then(|| clock::nearest_integer((length / period).ceil()));
     performance.repeat = pass.map(|ticks| ticks as f64 * period);
-    Ok(Some(RehearsedPlayList { performance, pieces: pieces.len(), pass, unplayed }))
+    Ok(Some(RehearsedPlayList { performance, pieces: pieces.len(), pass, unplayed, timing }))
 }
 
 /// Reads pieces as one score, with a rest between them.
-fn load_all(pieces: &[PerformanceSource]) -> Result<Score, SessionError> {
+fn load_all(pieces: &[PerformanceSource], parts: &ChosenParts) -> Result<Score, SessionError> {
+    let load = |source: &PerformanceSource| {
+        let failed = |reason| SessionError::Performance { name: source.name(), reason };
+        source.score(parts).map_err(failed)
+    };
     let scores: Vec<_> = pieces.iter().map(load).collect::<Result<_, _>>()?;
     let lifted = scores.into_iter().map(Score::with_pedals_lifted);
     Ok(lifted.reduce(|one, next| one.followed_by(next, REST)).unwrap_or_default())
 }
 
-fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
-    let failed =
-        |name: &str, reason: String| SessionError::Performance { name: name.into(), reason };
-    let (name, score) = match source {
-        PerformanceSource::Embedded(name, bytes) => ((*name).to_owned(), read(bytes)),
-        PerformanceSource::Path(path) => {
-            let name = shown(path);
-            let bytes = std::fs::read(path).map_err(|error| failed(&name, error.to_string()))?;
-            (name, read(&bytes))
-        }
-    };
-    score.map_err(|error| failed(&name, error.to_string()))
+/// Returns the bars of a single piece that is written to a file, and lengthens the silence before
+/// the piece to whole bars, so that the bars of the file are those of the piece. Several pieces, or
+/// a piece that repeats, have none: their rests are no bars.
+fn timing_of(scene: &Scene, score: &Score, technique: &mut Technique) -> Option<ScoreTiming> {
+    let repeats = scene.play_list.as_ref().is_some_and(|list| list.repeat);
+    let is_written = matches!(scene.midi.output, MidiOutput::File(_)) && !repeats;
+    let mut timing = score.timing.clone().filter(|_| is_written)?;
+    technique.lead_in = timing.begin_after(technique.lead_in);
+    Some(timing)
 }
 
 /// Plays keys without dynamics with an even touch, however their notes are written: an organ gets
@@ -154,6 +159,6 @@ fn within(
     let (voiced, without_voice): (Vec<_>, Vec<_>) =
         score.notes.iter().copied().partition(|note| keys[usize::from(note.key)].is_some());
     let without_voice: Vec<u8> = without_voice.iter().map(|note| note.key).collect();
-    let unplayed = UnplayedNotes::new(&without_voice, score.skipped, score.overlaps);
+    let unplayed = UnplayedNotes::new(&without_voice, score.passed_over);
     (Score { notes: voiced, ..score }, unplayed)
 }

@@ -7,6 +7,7 @@ mod ports;
 #[cfg(unix)]
 mod raw;
 mod reconnecting;
+pub mod score_timing;
 mod smf;
 mod system;
 mod watch;

@@ -1,4 +1,4 @@
-//! A Standard MIDI File with times to 10 µs.
+//! A Standard MIDI File with times to 50 µs, and with the bars of a performance.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -8,17 +8,12 @@ use std::path::{Path, PathBuf};
 use midly::num::{u4, u7, u15, u24, u28};
 use midly::{Format, Header, MetaMessage, MidiMessage, Timing, TrackEvent, TrackEventKind};
 
+use super::score_timing::{ScoreTiming, meta};
 use super::{MidiSendError, Output};
 use crate::message::{Controller, Message};
 
-/// Length of a quarter note (µs): 120 a minute, the players' default.
-const QUARTER_US: u32 = 500_000;
-
-/// Ticks per quarter note: a tick is 20 µs, so a time is off by at most 10 µs.
-const TICKS_PER_QUARTER: u16 = 25_000;
-
-/// Length of a tick (s).
-const TICK: f64 = QUARTER_US as f64 * 1e-6 / TICKS_PER_QUARTER as f64;
+/// Text at the start of a file.
+const PROGRAM: &[u8] = concat!("Played by Letoff ", env!("CARGO_PKG_VERSION")).as_bytes();
 
 /// Longest pause between two events (ticks), about 1.5 h; longer ones are split.
 const LONGEST_PAUSE: u64 = (1 << 28) - 1;
@@ -31,13 +26,21 @@ const LONGEST_PAUSE: u64 = (1 << 28) - 1;
 pub struct Smf {
     path: PathBuf,
     messages: Vec<(f64, Message)>,
+    timing: ScoreTiming,
     /// Number of messages in the file; differs from `messages` while there is work to do.
     written: Option<usize>,
 }
 
 impl Smf {
     pub fn new(path: impl Into<PathBuf>) -> Self {
-        Self { path: path.into(), messages: Vec::new(), written: None }
+        let (messages, timing) = (Vec::new(), ScoreTiming::default());
+        Self { path: path.into(), messages, timing, written: None }
+    }
+
+    /// Writes with the bars of a performance instead of 120 quarter notes a minute.
+    #[must_use]
+    pub fn with_timing(self, timing: ScoreTiming) -> Self {
+        Self { timing, ..self }
     }
 
     pub fn path(&self) -> &Path {
@@ -72,7 +75,8 @@ impl Output for Smf {
             return Ok(());
         }
         self.messages.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let written = encode(&self.messages).and_then(|bytes| write(&self.path, &bytes));
+        let written =
+            encode(&self.messages, &self.timing).and_then(|bytes| write(&self.path, &bytes));
         written.map_err(|source| MidiSendError::Write {
             path: self.path.clone(),
             messages: self.messages.len(),
@@ -83,18 +87,30 @@ impl Output for Smf {
     }
 }
 
-/// Encodes a file with `messages`, which are in order of time.
-fn encode(messages: &[(f64, Message)]) -> io::Result<Vec<u8>> {
-    let mut track = vec![meta(0, MetaMessage::Tempo(u24::new(QUARTER_US)))];
+/// Encodes a file with `messages`, which are in order of time, and the marks of `timing` up to the
+/// last message.
+fn encode(messages: &[(f64, Message)], timing: &ScoreTiming) -> io::Result<Vec<u8>> {
+    let map = timing.tempo_map();
+    let tempo = MetaMessage::Tempo(u24::from_int_lossy(map.first));
+    let start = [MetaMessage::Text(PROGRAM), tempo].map(|it| (0, TrackEventKind::Meta(it)));
+    let end = messages.last().map_or(0, |(at, _)| map.ticks(*at));
+    let marks = timing
+        .written_marks(&map)
+        .filter(|(tick, kind, _)| *tick <= end && !(*tick == 0 && *kind == meta::TEMPO));
+    let marks = marks
+        .map(|(tick, kind, data)| (tick, TrackEventKind::Meta(MetaMessage::Unknown(kind, data))));
+    let messages = messages.iter().map(|(at, message)| (map.ticks(*at), kind(*message)));
+    let mut events: Vec<_> = start.into_iter().chain(marks).chain(messages).collect();
+    events.sort_by_key(|(tick, _)| *tick);
+    let mut track = Vec::with_capacity(events.len() + 1);
     let mut now = 0;
-    for (at, message) in messages {
-        let then = ticks(*at);
+    for (then, kind) in events {
         rest(&mut track, then - now);
-        track.push(event(then - now, *message));
+        track.push(TrackEvent { delta: pause(then - now), kind });
         now = then;
     }
-    track.push(meta(0, MetaMessage::EndOfTrack));
-    let timing = Timing::Metrical(u15::new(TICKS_PER_QUARTER));
+    track.push(meta_event(0, MetaMessage::EndOfTrack));
+    let timing = Timing::Metrical(u15::new(map.division));
     let mut bytes = Vec::new();
     midly::write_std(&Header::new(Format::SingleTrack, timing), [&track], &mut bytes)?;
     Ok(bytes)
@@ -103,16 +119,16 @@ fn encode(messages: &[(f64, Message)]) -> io::Result<Vec<u8>> {
 /// Fills the part of a pause of `ticks` that one event cannot express with empty texts.
 fn rest(track: &mut Vec<TrackEvent<'_>>, ticks: u64) {
     for _ in 0..ticks / (LONGEST_PAUSE + 1) {
-        track.push(meta(LONGEST_PAUSE, MetaMessage::Text(b"")));
-        track.push(meta(1, MetaMessage::Text(b"")));
+        track.push(meta_event(LONGEST_PAUSE, MetaMessage::Text(b"")));
+        track.push(meta_event(1, MetaMessage::Text(b"")));
     }
 }
 
-fn meta(delta: u64, message: MetaMessage<'_>) -> TrackEvent<'_> {
+fn meta_event(delta: u64, message: MetaMessage<'_>) -> TrackEvent<'_> {
     TrackEvent { delta: pause(delta), kind: TrackEventKind::Meta(message) }
 }
 
-fn event(delta: u64, message: Message) -> TrackEvent<'static> {
+fn kind(message: Message) -> TrackEventKind<'static> {
     let number = |note: crate::Note| u7::from_int_lossy(note.number());
     let message = match message {
         Message::NoteOn { note, velocity } => {
@@ -132,25 +148,13 @@ fn event(delta: u64, message: Message) -> TrackEvent<'static> {
             MidiMessage::ChannelAftertouch { vel: u7::from_int_lossy(value) }
         }
     };
-    let channel = u4::new(0);
-    TrackEvent { delta: pause(delta), kind: TrackEventKind::Midi { channel, message } }
+    TrackEventKind::Midi { channel: u4::new(0), message }
 }
 
 /// Returns the rest of a pause of `ticks` after [`rest`].
 fn pause(ticks: u64) -> u28 {
     let left = ticks % (LONGEST_PAUSE + 1);
     u28::from_int_lossy(u32::try_from(left).unwrap_or_default())
-}
-
-/// Converts `at` (s) to ticks; a time before the start becomes the start.
-fn ticks(at: f64) -> u64 {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "negative times become 0, and no host runs for 10 million years"
-    )]
-    let ticks = (at / TICK).round() as u64;
-    ticks
 }
 
 /// Writes `bytes` to `path`: through a file beside it, unless `path` is a device or a pipe.
@@ -182,6 +186,7 @@ fn beside(path: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ScoreMark;
     use crate::note::{Note, Velocity};
     use crate::player::{NoteEvent, NoteEventKind, Player};
     use crate::velocity::VelocityCurve;
@@ -193,23 +198,66 @@ mod tests {
     /// Returns the times (s) of all channel events in a file.
     fn times(bytes: &[u8]) -> Vec<f64> {
         let smf = midly::Smf::parse(bytes).unwrap();
-        assert_eq!(smf.header.timing, Timing::Metrical(u15::new(TICKS_PER_QUARTER)));
-        let mut now = 0_u64;
+        let Timing::Metrical(division) = smf.header.timing else { panic!("no quarters") };
+        let (mut now, mut tick) = (0.0, 0.0);
         let mut times = Vec::new();
         for event in &smf.tracks[0] {
-            now += u64::from(event.delta.as_int());
-            if let TrackEventKind::Midi { .. } = event.kind {
-                times.push(now as f64 * 0.5 / 25_000.0);
+            now += f64::from(event.delta.as_int()) * tick;
+            if let TrackEventKind::Meta(MetaMessage::Tempo(us)) = event.kind {
+                tick = f64::from(us.as_int()) * 1e-6 / f64::from(division.as_int());
+            } else if let TrackEventKind::Midi { .. } = event.kind {
+                times.push(now);
             }
         }
         times
     }
 
+    fn mark(tick: u64, kind: u8, data: &[u8]) -> ScoreMark {
+        ScoreMark { tick, kind, data: data.to_vec() }
+    }
+
+    fn tempo_mark(tick: u64, us: u32) -> ScoreMark {
+        mark(tick, meta::TEMPO, &us.to_be_bytes()[1..])
+    }
+
+    #[test]
+    fn a_piece_begins_after_the_least_number_of_whole_bars() {
+        for (us, beats, power, expected) in [
+            (500_000, 4, 2, 2.0),
+            (666_000, 3, 2, 1.998),
+            (250_000, 2, 2, 1.0),
+            (100_000, 6, 3, 1.2),
+            // A bar of 24 s, and one that is no whole number of ticks.
+            (6_000_000, 4, 2, 1.0),
+            (500_000, 1, 200, 1.0),
+        ] {
+            let signature = mark(0, meta::TIME_SIGNATURE, &[beats, power, 24, 8]);
+            let mut timing = ScoreTiming::new(480, vec![tempo_mark(0, us), signature]);
+            let found = timing.begin_after(1.0);
+            assert!((found - expected).abs() < 1e-9, "{found} s, expected {expected} s");
+        }
+        let plain = ScoreTiming::new(480, Vec::new()).begin_after(1.0);
+        assert_eq!(plain.to_bits(), 2.0_f64.to_bits(), "4/4 at 120 a minute");
+    }
+
     #[test]
     fn a_file_read_back_has_every_time_to_50_us() {
+        check_times(ScoreTiming::default());
+        for division in [1, 96, 480, 960, 32_767] {
+            // 240, 20 and 60 quarter notes a minute.
+            let tempi = [(0, 250_000), (100, 3_000_000), (5_000, 1_000_000)];
+            let tempi = tempi.map(|(tick, us)| tempo_mark(tick, us));
+            let mut timing = ScoreTiming::new(division, tempi.to_vec());
+            let _bars = timing.begin_after(1.0);
+            check_times(timing);
+        }
+    }
+
+    #[track_caller]
+    fn check_times(timing: ScoreTiming) {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("played.mid");
-        let mut smf = Smf::new(&path);
+        let mut smf = Smf::new(&path).with_timing(timing);
         // The last two lie further apart than one event can express.
         let wanted = [0.0, 1.0 / 3.0, 0.333_35, 12.345_678_9, 3_600.000_07, 40_000.5];
         for (key, at) in (0..).zip(wanted) {

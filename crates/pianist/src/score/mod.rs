@@ -1,13 +1,18 @@
 //! A Standard MIDI File as notes with times in seconds.
 
-mod merge;
+mod chunks;
 mod notes;
+mod passed_over;
 mod tempo;
+mod track;
 
-use midi::{Pedal, PedalMove, Velocity};
-use midly::{Format, Smf};
+use midi::output::score_timing::{self, meta};
+use midi::{Pedal, PedalMove, ScoreMark, ScoreTiming, Velocity};
 
+use chunks::Chunks;
 use notes::NoteCollector;
+pub use passed_over::{PassedOver, PassedOverCounts};
+use track::{TrackEvent, TrackEventKind};
 
 /// Contents of a MIDI file for a pianist.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -16,10 +21,36 @@ pub struct Score {
     pub notes: Vec<ScoreNote>,
     /// Pedal moves in order of time.
     pub pedals: Vec<PedalMove>,
-    /// Notes left out: not on the 88 keys, or on channel 10, which is percussion.
-    pub skipped: u32,
-    /// Notes shortened or left out because another note already held their key.
-    pub overlaps: u32,
+    pub passed_over: PassedOverCounts,
+    /// Bars, tempi and names, unless ticks have a fixed length.
+    pub timing: Option<ScoreTiming>,
+    /// Every track of the file, in order.
+    pub tracks: Vec<ScoreTrack>,
+}
+
+/// Track of a file.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ScoreTrack {
+    pub name: String,
+    /// Number of notes, played or not.
+    pub notes: usize,
+    /// Channels of its notes, bit 0 for channel 1.
+    pub channels: u16,
+}
+
+/// Tracks and channels of a file that are played, counted from 1; an empty list is all of them.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ChosenParts {
+    pub tracks: Vec<u16>,
+    /// Channel 10 is percussion, and played only if it is listed.
+    pub channels: Vec<u8>,
+}
+
+impl ChosenParts {
+    fn contain(&self, track: u16, channel: u8) -> bool {
+        let is_chosen_track = self.tracks.is_empty() || self.tracks.contains(&track);
+        is_chosen_track && (self.channels.is_empty() || self.channels.contains(&channel))
+    }
 }
 
 impl Score {
@@ -30,6 +61,7 @@ impl Score {
     }
 
     /// Returns this score and then `next`, which begins `rest` (s) after the end of this one.
+    /// Both together have no bars.
     #[must_use]
     pub fn followed_by(mut self, next: Self, rest: f64) -> Self {
         let later = self.end() + rest;
@@ -37,9 +69,8 @@ impl Score {
         self.notes.extend(next.notes.into_iter().map(note));
         let pedal = |it: PedalMove| PedalMove { at: it.at + later, ..it };
         self.pedals.extend(next.pedals.into_iter().map(pedal));
-        self.skipped = self.skipped.saturating_add(next.skipped);
-        self.overlaps = self.overlaps.saturating_add(next.overlaps);
-        self
+        self.passed_over.add_all(next.passed_over);
+        Self { timing: None, ..self }
     }
 
     /// Returns this score with every pedal lifted at its end, as the next piece expects.
@@ -73,101 +104,127 @@ pub struct ScoreNote {
 
 /// Reason why a file cannot be played.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[expect(missing_docs, reason = "the messages say it")]
 pub enum ScoreError {
     #[error("the file is empty")]
     Empty,
-    #[error("this is not a MIDI file, which would begin with MThd ({reason})")]
-    NotMidi {
-        /// Message of the parser.
-        reason: String,
-    },
-    /// The file ends before its tracks do.
-    #[error("the MIDI file is truncated: a chunk of {declared} bytes has only {present}")]
-    Truncated {
-        /// Bytes that a chunk announces.
-        declared: u64,
-        present: u64,
-    },
+    #[error("this is not a MIDI file, which begins with MThd and a header")]
+    NotMidi,
     #[error("the MIDI file is truncated: of {declared} tracks only {present} are there")]
-    TracksMissing {
-        /// Tracks that the header announces.
-        declared: u16,
-        present: u16,
-    },
-    /// The header gives no length of a tick.
+    TracksMissing { declared: u16, present: u16 },
+    #[error(
+        "track {track} of the MIDI file cannot be read from byte {at} on, after {notes} notes: \
+         export the file again from the program that wrote it"
+    )]
+    Broken { track: u16, at: usize, notes: usize },
     #[error("the MIDI file gives its ticks no length")]
     NoTiming,
-    #[error("the MIDI file holds independent patterns (format 2): save the wanted one as format 0")]
-    Patterns,
-    #[error("the MIDI file has no notes on the 88 keys ({skipped} others were left out)")]
-    NoNotes {
-        /// Notes left out: see [`Score::skipped`].
-        skipped: u32,
-    },
+    #[error(
+        "the MIDI file holds {tracks} independent patterns (format 2): choose one, as --track 1"
+    )]
+    Patterns { tracks: usize },
+    #[error("the MIDI file has no track {wanted}: choose one of its tracks, 1 to {tracks}")]
+    NoTrack { wanted: u16, tracks: usize },
+    #[error("the MIDI file has no notes to play on the 88 keys, and {passed_over} besides")]
+    NoNotes { passed_over: PassedOverCounts },
 }
 
-/// Reads a MIDI file; never panics on any bytes.
+/// Reads a MIDI file like [`read_parts`], with all tracks and channels.
+///
+/// # Errors
+/// Those of [`read_parts`].
+pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
+    read_parts(bytes, &ChosenParts::default())
+}
+
+/// Reads the chosen `parts` of a MIDI file; never panics on any bytes.
 ///
 /// All tracks are merged; tempo changes, metrical and SMPTE times are supported. A note without an
-/// end ends with the file. A tempo of zero, and bytes after the last track, are ignored.
+/// end ends with the file. A tempo of zero is ignored. Bytes that belong to no event, and damage
+/// within the last bytes of a track, are counted; other damage is an error, since notes would be
+/// missing.
 ///
 /// # Errors
 /// The bytes are not a complete MIDI file with at least one note on the 88 keys.
-pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
+pub fn read_parts(bytes: &[u8], parts: &ChosenParts) -> Result<Score, ScoreError> {
     if bytes.is_empty() {
         return Err(ScoreError::Empty);
     }
-    // The parser checks files that are wrapped in RIFF.
-    let chunks = if bytes.starts_with(b"MThd") { whole_chunks(bytes)? } else { bytes };
-    let not_midi = |error: midly::Error| error.kind().message().to_owned();
-    let smf =
-        Smf::parse(chunks).map_err(|error| ScoreError::NotMidi { reason: not_midi(error) })?;
-    if smf.header.format == Format::Sequential {
-        return Err(ScoreError::Patterns);
+    let chunks = Chunks::of(bytes)?;
+    let present = 1..=chunks.tracks.len();
+    if let Some(&wanted) = parts.tracks.iter().find(|it| !present.contains(&usize::from(**it))) {
+        return Err(ScoreError::NoTrack { wanted, tracks: chunks.tracks.len() });
     }
-    let mut tempo = tempo::Map::new(smf.header.timing).ok_or(ScoreError::NoTiming)?;
-    let mut notes = NoteCollector::default();
-    for event in merge::merge(&smf.tracks) {
-        let at = tempo.seconds(event.tick);
-        tempo.follow(event.tick, event.kind);
-        notes.hear(at, event.kind);
+    let is_pattern = chunks.format == 2;
+    if is_pattern && parts.tracks.len() != 1 {
+        return Err(ScoreError::Patterns { tracks: chunks.tracks.len() });
     }
-    let score = notes.into_score();
-    if score.notes.is_empty() {
-        return Err(ScoreError::NoNotes { skipped: score.skipped });
-    }
-    Ok(score)
-}
-
-/// Returns the chunks at the start of `bytes`, without other bytes after the last track. Rejects a
-/// truncated file, which the parser accepts: a performance must not stop in the middle.
-fn whole_chunks(bytes: &[u8]) -> Result<&[u8], ScoreError> {
-    let declared = bytes.get(10..12).and_then(|pair| pair.try_into().ok()).map(u16::from_be_bytes);
-    let declared = declared.unwrap_or(0);
-    let mut present = 0_u16;
-    let mut rest = bytes;
-    while let Some((kind, length, body)) = chunk(rest) {
-        let Some(after) = body.get(length..) else {
-            if 0 < present && declared <= present {
-                break;
+    let mut tempo = tempo::Map::new(chunks.division).ok_or(ScoreError::NoTiming)?;
+    let mut notes = NoteCollector::new(parts);
+    notes.passed_over.add(PassedOver::SkippedBytes, chunks.trailing);
+    let mut tracks = vec![ScoreTrack::default(); chunks.tracks.len()];
+    let mut marks = Vec::new();
+    for event in events(&chunks, &mut notes.passed_over)? {
+        // A pattern has its own tempo and bars.
+        if is_pattern && !parts.tracks.contains(&event.track) {
+            continue;
+        }
+        notes.now = tempo.seconds(event.tick);
+        let track = &mut tracks[usize::from(event.track) - 1];
+        match event.kind {
+            TrackEventKind::Message { status, data } => {
+                if notes.add(event.track, status, data) {
+                    track.notes += 1;
+                    track.channels |= 1 << (status & 0x0F);
+                }
             }
-            return Err(ScoreError::Truncated {
-                declared: length as u64,
-                present: body.len() as u64,
-            });
-        };
-        present = present.saturating_add(u16::from(&kind == b"MTrk"));
-        rest = after;
+            TrackEventKind::Meta { kind, data } => {
+                if let (meta::TEMPO, Some(us)) = (kind, score_timing::tempo(data)) {
+                    tempo.follow(event.tick, us);
+                }
+                marks.extend(mark(&event, track));
+            }
+            TrackEventKind::System => {}
+        }
     }
-    if present < declared {
-        return Err(ScoreError::TracksMissing { declared, present });
+    let (notes, pedals, passed_over) = notes.finish();
+    if notes.is_empty() {
+        return Err(ScoreError::NoNotes { passed_over });
     }
-    Ok(bytes.get(..bytes.len() - rest.len()).unwrap_or(bytes))
+    let timing = tempo.per_quarter.map(|division| ScoreTiming::new(division, marks));
+    Ok(Score { notes, pedals, passed_over, timing, tracks })
 }
 
-/// Returns kind and announced length of the next chunk, and all bytes after these.
-fn chunk(bytes: &[u8]) -> Option<([u8; 4], usize, &[u8])> {
-    let (kind, rest) = bytes.split_first_chunk::<4>()?;
-    let (length, body) = rest.split_first_chunk::<4>()?;
-    Some((*kind, u32::from_be_bytes(*length) as usize, body))
+/// Returns the events of all tracks in order of time; simultaneous ones in order of tracks.
+fn events<'a>(
+    chunks: &Chunks<'a>,
+    passed_over: &mut PassedOverCounts,
+) -> Result<Vec<TrackEvent<'a>>, ScoreError> {
+    let mut events = Vec::new();
+    for (track, it) in (1..=u16::MAX).zip(&chunks.tracks) {
+        let broken = |(at, notes)| ScoreError::Broken { track, at: it.at + at, notes };
+        track::read(track, (it.bytes, it.missing), &mut events, passed_over).map_err(broken)?;
+    }
+    events.sort_by_key(|event| event.tick);
+    Ok(events)
+}
+
+/// Returns the mark of a recording for a meta event of `track`, which may name the track. The first
+/// track's name is the title, and the names of others are texts.
+fn mark(event: &TrackEvent<'_>, track: &mut ScoreTrack) -> Option<ScoreMark> {
+    let TrackEventKind::Meta { kind, data } = event.kind else { return None };
+    if kind == meta::NAME && track.name.is_empty() {
+        track.name = String::from_utf8_lossy(data).into_owned();
+    }
+    let (kind, data) = match kind {
+        meta::NAME if 1 < event.track => {
+            (meta::TEXT, [format!("track {}: ", event.track).as_bytes(), data].concat())
+        }
+        meta::NAME | meta::MARKER | meta::CUE => (kind, data.to_vec()),
+        meta::TEMPO => (kind, data.first_chunk::<3>().filter(|it| it != &&[0; 3])?.to_vec()),
+        meta::TIME_SIGNATURE => (kind, data.first_chunk::<4>()?.to_vec()),
+        meta::KEY_SIGNATURE => (kind, data.first_chunk::<2>()?.to_vec()),
+        _ => return None,
+    };
+    Some(ScoreMark { tick: event.tick, kind, data })
 }

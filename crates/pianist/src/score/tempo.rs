@@ -1,7 +1,5 @@
 //! Conversion of ticks to seconds.
 
-use midly::{Fps, MetaMessage, Timing, TrackEventKind};
-
 /// Length of a quarter note before the first tempo (s): 120 a minute.
 const DEFAULT_QUARTER: f64 = 0.5;
 
@@ -13,23 +11,24 @@ pub(super) struct Map {
     /// Length of a tick from there on (s).
     tick: f64,
     /// Ticks per quarter note; `None` if ticks have a fixed length.
-    per_quarter: Option<f64>,
+    pub(super) per_quarter: Option<u16>,
 }
 
 impl Map {
-    /// Returns the map of a file with `timing`; `None` if a tick has no length.
-    pub(super) fn new(timing: Timing) -> Option<Self> {
-        let (tick, per_quarter) = match timing {
-            Timing::Metrical(ticks) if ticks.as_int() > 0 => {
-                let per_quarter = f64::from(ticks.as_int());
-                (DEFAULT_QUARTER / per_quarter, Some(per_quarter))
-            }
-            Timing::Timecode(fps, subframes) if subframes > 0 => {
-                (1.0 / (frames_per_second(fps) * f64::from(subframes)), None)
-            }
-            Timing::Metrical(_) | Timing::Timecode(..) => return None,
+    /// Returns the map of a file with the header's `division`; `None` if a tick has no length.
+    pub(super) fn new(division: u16) -> Option<Self> {
+        let [frames, ticks] = division.to_be_bytes();
+        let (tick, per_quarter) = if division < 0x8000 {
+            (DEFAULT_QUARTER / f64::from(division), Some(division))
+        } else {
+            let frames = match frames.wrapping_neg() {
+                29 => 30_000.0 / 1001.0,
+                frames @ (24 | 25 | 30) => f64::from(frames),
+                _ => return None,
+            };
+            (1.0 / (frames * f64::from(ticks)), None)
         };
-        Some(Self { since: (0, 0.0), tick, per_quarter })
+        tick.is_finite().then_some(Self { since: (0, 0.0), tick, per_quarter })
     }
 
     /// Returns the time of `tick` (s); ticks before the last change of tempo are at that change.
@@ -38,23 +37,10 @@ impl Map {
         at + tick.saturating_sub(from) as f64 * self.tick
     }
 
-    /// Follows a tempo event; ignores a tempo of zero, after which all would sound at once.
-    pub(super) fn follow(&mut self, tick: u64, event: TrackEventKind<'_>) {
+    /// Gives quarter notes a length of `us` µs from `tick` on.
+    pub(super) fn follow(&mut self, tick: u64, us: u32) {
         let Some(per_quarter) = self.per_quarter else { return };
-        if let TrackEventKind::Meta(MetaMessage::Tempo(us)) = event
-            && us.as_int() > 0
-        {
-            self.since = (tick, self.seconds(tick));
-            self.tick = f64::from(us.as_int()) * 1e-6 / per_quarter;
-        }
-    }
-}
-
-fn frames_per_second(fps: Fps) -> f64 {
-    match fps {
-        Fps::Fps24 => 24.0,
-        Fps::Fps25 => 25.0,
-        Fps::Fps29 => 30_000.0 / 1001.0,
-        Fps::Fps30 => 30.0,
+        self.since = (tick, self.seconds(tick));
+        self.tick = f64::from(us) * 1e-6 / f64::from(per_quarter);
     }
 }

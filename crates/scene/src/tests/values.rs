@@ -1,6 +1,7 @@
 use mechanism::Library;
 use std::path::Path;
 
+use pianist::ChosenParts;
 use pode::stepper::{self, Any};
 
 use super::*;
@@ -65,7 +66,15 @@ fn a_performance_is_embedded_or_lies_beside_the_scene() {
     let path = folder.write("scene.toml", text.as_bytes());
     let scene = Scene::load(&Library::default(), &path, &[]).unwrap();
     let mine = PerformanceSource::Path(folder.0.join("mine.mid"));
-    assert_eq!(scene.play_list, Some(PlayList { pieces: vec![mine.clone()], repeat: false }));
+    let (pieces, parts) = (vec![mine.clone()], ChosenParts::default());
+    assert_eq!(scene.play_list, Some(PlayList { pieces, repeat: false, parts }));
+    let chosen = format!("{text}track = 1\nchannel = [1, 2]\n");
+    let chosen = folder.write("chosen.toml", chosen.as_bytes());
+    let chosen = Scene::load(&Library::default(), &chosen, &[]).unwrap();
+    let parts = ChosenParts { tracks: vec![1], channels: vec![1, 2] };
+    assert_eq!(chosen.play_list.as_ref().map(|it| &it.parts), Some(&parts));
+    let again = Scene::from_text(&Library::default(), "written", written(&chosen)).unwrap();
+    assert_eq!(again.play_list.map(|it| it.parts), Some(parts));
     let list = "performance = [\"mine.mid\", \"bach-bwv-846\", \"mine.mid\"]\nrepeat = true\n";
     let list = folder.write("list.toml", format!("{MINIMAL}[pianist]\n{list}").as_bytes());
     let list = Scene::load(&Library::default(), &list, &[]).unwrap().play_list.unwrap();
@@ -95,6 +104,19 @@ fn midi_goes_to_a_port_a_file_or_nowhere() {
     let heard = load(MINIMAL, &set).midi.sound;
     assert!(heard.is_live && heard.picture.is_none(), "{heard:?}");
     assert_eq!((heard.wav, heard.font), (Some("/a.wav".into()), Some("/a.sf2".into())));
+
+    for (output, reason) in [
+        ("x2.smf", "has the ending of another kind of file"),
+        ("x.midi2", "has the ending of another kind of file"),
+        ("x2.mid,none", "is a list, and there is one MIDI output"),
+        ("a.mid,b.mid", "is a list, and there is one MIDI output"),
+        ("/dev/snd/midiC1D0", "is a path of no MIDI file, and no port"),
+    ] {
+        let changes = owned(&[("midi.output", output)]);
+        let refused = Scene::check(&Library::default(), &source(MINIMAL), &changes).unwrap_err();
+        let expected = format!("\"{output}\" {reason}; give one of: a file that ends in .mid");
+        assert!(refused.to_string().contains(&expected), "{refused}");
+    }
 }
 
 #[test]
