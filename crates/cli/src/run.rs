@@ -20,12 +20,14 @@ use super::signals::{Signals, runtime};
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
-use super::{Failure, live, print_report, report_interpretation, system, tell};
+use super::{Failure, about, live, print_report, report_interpretation, system, tell};
 use host::control::{BoardsTold, Clients, RunHandle, StartingHost, StatusSink, temporary_folder};
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::{ChosenFidelity, RunReport};
-use host::session::{FoundKeys, Healing, RunOptions, RunSession, SessionError, choose_fidelity};
+use host::session::{
+    FoundKeys, Healing, RehearsalCache, RunOptions, RunSession, SessionError, choose_fidelity,
+};
 use scene::{Library, LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
 use telemetry::log::Level;
@@ -64,6 +66,10 @@ pub struct RunArgs {
     /// programs leave behind if none is given.
     #[arg(long, value_name = "FOLDER|none")]
     pub black_box: Option<PathBuf>,
+    /// Where rehearsals of the virtual pianist are kept for the next run; the user's own folder for
+    /// what programs can make again if none is given.
+    #[arg(long, value_name = "FOLDER|none")]
+    pub rehearsals: Option<PathBuf>,
     /// Reads descriptions of models again when they are saved: keys that play them go on with the
     /// new version, and with the one before if it is wrong.
     #[arg(long, conflicts_with = "virtual_time")]
@@ -246,7 +252,7 @@ impl BegunHost {
         let signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
         let is_quiet = args.quiet || options.virtual_time;
         let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
-        let handle = Arc::new(run_handle(options));
+        let handle = Arc::new(run_handle(options, args.rehearsals.as_deref()));
         handle.status.prepare(args.scene());
         let lines = log.lines();
         handle.log_early(LogSink::new(Box::new(move |level, text| lines.say(level, text))));
@@ -382,9 +388,20 @@ impl TriedRun {
     }
 }
 
-/// Returns the handle of a run; in real time a guardian holds its MIDI port.
-fn run_handle(options: RunOptions) -> RunHandle {
-    if options.virtual_time { RunHandle::default() } else { RunHandle::guarded_at(guardian_path()) }
+/// Returns the handle of a run; in real time a guardian holds its MIDI port. Rehearsals are kept in
+/// the folder `wanted` unless that is `none`.
+fn run_handle(options: RunOptions, wanted: Option<&Path>) -> RunHandle {
+    let usual = || if options.virtual_time { None } else { Some(guardian_path()) };
+    let handle = usual().map_or_else(RunHandle::default, RunHandle::guarded_at);
+    let folder = match wanted {
+        Some(folder) if folder == Path::new("none") => None,
+        Some(folder) => Some(folder.to_owned()),
+        None => streaming::own_cache_folder(),
+    };
+    // A program that was built again may have the same commit.
+    let built = std::env::current_exe().and_then(fs::metadata).map(|it| it.modified().ok());
+    let program = format!("{} {:?}", about::version(), built.ok());
+    handle.keeping_rehearsals(folder.map(|folder| RehearsalCache { folder, program }))
 }
 
 const fn has_boards(scene: &Scene) -> bool {
@@ -426,7 +443,8 @@ async fn prepare(
     (progress, log): (live::ProgressLines, LogLines),
 ) -> Result<Option<RunSession>, Failure> {
     let rehearsal = live::RehearsalProgress::new(progress, log.clone());
-    let (its_handle, shown, notices) = (Arc::clone(handle), rehearsal.clone(), found.notices());
+    let (its_handle, shown) = (Arc::clone(handle), rehearsal.clone());
+    let mut notices = found.notices();
     let prepare = move || {
         RunSession::prepare_behind(its_handle, found, options, &|progress| shown.show(progress))
     };
@@ -435,6 +453,9 @@ async fn prepare(
     let prepared = prepared?.transpose().map_err(|error| failure(&error))?;
     if prepared.is_none() {
         handle.background.cancel_all();
+    }
+    if prepared.as_ref().is_some_and(RunSession::is_rehearsal_kept) {
+        notices.push("rehearsal found: these notes were rehearsed by an earlier run".into());
     }
     for notice in prepared.iter().flat_map(|_| &notices) {
         log.say(Level::Info, notice.clone());

@@ -107,6 +107,13 @@ pub(super) fn own_state_folder() -> Option<PathBuf> {
     Some(state.join("letoff"))
 }
 
+/// Returns the user's own folder for files that can be made again, if the user has a home.
+pub(super) fn own_cache_folder() -> Option<PathBuf> {
+    let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".cache"));
+    let cache = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from).or_else(home)?;
+    Some(cache.join("letoff"))
+}
+
 impl WantedStream {
     /// Listens; `None` if it cannot and no option asks for it.
     ///

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use boards::sim::key::SimulatedKey;
 use engine::realtime::clock;
 use haptics::{Gesture, HandCommand, RigParameters};
-use pianist::{PlayOutcome, Rehearsal, Strike};
+use pianist::{DamperFall, PlayOutcome, Rehearsal, Strike};
 use scene::KeyVoice;
 use scheduler::motion::{KeyEvent, KeySample, Moment};
 use scheduler::safety::KeyGate;
@@ -43,13 +43,19 @@ pub const MAX_REHEARSED_TICKS: u64 = 1_000_000_000;
 #[derive(Debug)]
 pub struct RehearsalWork {
     left: AtomicU64,
+    evaluations: AtomicU64,
     is_cancelled: Arc<AtomicBool>,
 }
 
 impl RehearsalWork {
     /// Returns a budget of `ticks`, which ends early once `is_cancelled` is set.
     pub const fn new(ticks: u64, is_cancelled: Arc<AtomicBool>) -> Self {
-        Self { left: AtomicU64::new(ticks), is_cancelled }
+        Self { left: AtomicU64::new(ticks), evaluations: AtomicU64::new(0), is_cancelled }
+    }
+
+    /// Returns the evaluations of the models' derivatives so far.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations.load(Ordering::Relaxed)
     }
 
     /// Returns the error of a rehearsal that took too long or was cancelled.
@@ -63,8 +69,9 @@ impl RehearsalWork {
         }
     }
 
-    /// Counts `ticks`; returns `true` if any are left.
-    fn spend(&self, ticks: u64) -> bool {
+    /// Counts `ticks` and `evaluations`; returns `true` if any ticks are left.
+    fn spend(&self, ticks: u64, evaluations: u64) -> bool {
+        self.evaluations.fetch_add(evaluations, Ordering::Relaxed);
         let less = |left: u64| Some(left.saturating_sub(ticks));
         let _before = self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, less);
         self.verdict().is_ok()
@@ -190,7 +197,7 @@ impl RehearsedKey {
             KeyEvent::Strike { loudness, .. } => {
                 outcome.strikes.push(Strike { at, speed: loudness.hammer_speed });
             }
-            KeyEvent::DamperFall { .. } => outcome.damper_fall = Some(at),
+            KeyEvent::DamperFall { speed } => outcome.damper_fall = Some(DamperFall { at, speed }),
             KeyEvent::DamperLift | KeyEvent::Pressure { .. } => {}
         }
     }
@@ -220,13 +227,14 @@ impl Rehearsal for RehearsedKey {
         self.take(gestures.to_vec());
         let mut outcome = PlayOutcome::default();
         while self.now() < until {
-            let first = self.tick;
+            let (first, mut evaluations) = (self.tick, 0);
             while self.now() < until && self.tick - first < PACE {
                 let turn = self.step();
+                evaluations += u64::from(turn.work.derivatives);
                 turn.events.as_slice().iter().for_each(|it| self.note(it, &mut outcome));
             }
             let ticks = self.tick - first;
-            if self.work.as_ref().is_some_and(|work| !work.spend(ticks)) {
+            if self.work.as_ref().is_some_and(|work| !work.spend(ticks, evaluations)) {
                 // The outcome no longer counts, but the time of the key must advance.
                 self.tick = self.tick.max(clock::nearest_integer((until / self.period).ceil()));
                 break;
@@ -237,6 +245,10 @@ impl Rehearsal for RehearsedKey {
 
     fn depth(&self) -> f64 {
         self.position()
+    }
+
+    fn period(&self) -> f64 {
+        self.period
     }
 }
 

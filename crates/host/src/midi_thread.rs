@@ -5,8 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use hdrhistogram::Histogram;
+use midi::velocity::release_velocity;
 use midi::{NoteEvent, NoteEventKind, Output, Player, Schedule, VelocityCurve};
-use pianist::{Assessor, Struck};
+use pianist::{Assessor, Damped, Struck};
 use rtrb::Consumer;
 use scheduler::time::Nanos;
 
@@ -189,11 +190,13 @@ impl MidiDispatcher {
     }
 
     fn play(&mut self, event: NoteEvent) {
-        if let (Some(assessor), NoteEventKind::Strike { speed, .. }) =
-            (&mut self.assessor, event.kind)
-        {
-            let velocity = self.curve.velocity(speed).get();
-            assessor.hear(Struck { key: event.key, at: event.at, velocity });
+        let NoteEvent { key, at, kind } = event;
+        if let Some(assessor) = &mut self.assessor {
+            if let NoteEventKind::Strike { speed, .. } = kind {
+                assessor.hear(Struck { key, at, velocity: self.curve.velocity(speed).get() });
+            } else if let NoteEventKind::DamperFall { speed } = kind {
+                assessor.damp(Damped { key, at, release: release_velocity(speed).get() });
+            }
         }
         let played = self.player.play(event);
         self.note(played);

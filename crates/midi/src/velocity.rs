@@ -92,7 +92,12 @@ impl VelocityCurve {
 /// Returns the release velocity of a damper that falls while the key rises at `speed` (m/s): a
 /// straight line from a creeping key (1) to a released one (127 at 0.4 m/s).
 pub fn release_velocity(speed: f64) -> Velocity {
-    Velocity::nearest(127.0 * speed.abs() / FASTEST_RELEASE)
+    Velocity::nearest(release_level(speed))
+}
+
+/// Returns the release velocity before rounding and limiting.
+pub fn release_level(speed: f64) -> f64 {
+    127.0 * speed.abs() / FASTEST_RELEASE
 }
 
 /// Returns the key speed (m/s) for release velocity `velocity`; inverts [`release_velocity`].

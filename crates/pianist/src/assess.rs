@@ -26,6 +26,21 @@ pub struct ExpectedNote {
     pub speed: f64,
     /// MIDI velocity, 1 ..= 127.
     pub velocity: u8,
+    /// Time of the damper's fall (s).
+    pub end: f64,
+    /// Release velocity, 1 ..= 127, if one is wanted.
+    pub release: Option<u8>,
+}
+
+/// A fall of a key's damper that happened.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Damped {
+    /// Key, 0 ..= 87.
+    pub key: u8,
+    /// Time of the fall (s).
+    pub at: f64,
+    /// Speed of the key as a release velocity, 1 ..= 127.
+    pub release: u8,
 }
 
 /// A strike that happened.
@@ -86,6 +101,11 @@ pub struct Assessment {
     pub onset_error_ms: Spread,
     /// Distances of strikes from their notes' velocities (MIDI units).
     pub velocity_error: Spread,
+    /// Distances of note ends from the wanted ones (ms), early or late, to a microsecond. A note
+    /// ends when its damper falls, or when its key is struck again.
+    pub end_error_ms: Spread,
+    /// Distances of release velocities from those of notes that have one, if any has.
+    pub release_error: Option<Spread>,
     /// Missed or late notes and extra strikes, in order of time, then of key; the first
     /// [`MOST_DEVIATIONS`] of a repeating performance.
     pub deviations: Vec<Deviation>,
@@ -120,8 +140,17 @@ impl fmt::Display for Assessment {
         write!(
             f,
             "{} notes: {} missed, {} extra strikes; onset error {p50:.2} ms (p99 {p99:.2}, \
-             max {max:.2}); velocity error {:.0} (p99 {:.0}, max {:.0})",
-            self.played, self.missed, self.extra, velocity.p50, velocity.p99, velocity.max
+             max {max:.2}); velocity error {:.0} (p99 {:.0}, max {:.0}); end error {:.1} ms (p99 \
+             {:.1}, max {:.1})",
+            self.played,
+            self.missed,
+            self.extra,
+            velocity.p50,
+            velocity.p99,
+            velocity.max,
+            self.end_error_ms.p50,
+            self.end_error_ms.p99,
+            self.end_error_ms.max
         )
     }
 }
@@ -131,9 +160,9 @@ impl fmt::Display for Assessment {
 /// On each key notes and strikes are paired in order: as many as possible within [`WINDOW`], and
 /// among those the nearest. A note left over is late if a strike follows within [`REACH`] and
 /// before the next note of the key is struck.
-pub fn assess(expected: &[ExpectedNote], struck: &[Struck]) -> Assessment {
+pub fn assess(expected: &[ExpectedNote], struck: &[Struck], damped: &[Damped]) -> Assessment {
     let mut found = NoteFindings::default();
-    found.add(expected, struck);
+    found.add(expected, struck, damped);
     found.assessment()
 }
 
@@ -145,46 +174,73 @@ struct NoteFindings {
     /// Distances of these strikes from their onsets, early or late (us).
     onset: ErrorCounts,
     velocity: ErrorCounts,
+    /// Distances of note ends (us).
+    end: ErrorCounts,
+    release: ErrorCounts,
     deviations: Vec<Deviation>,
 }
 
+/// Strikes and falls of the damper of one key, each in order of time.
+#[derive(Clone, Copy)]
+struct KeyEvents<'a> {
+    strikes: &'a [&'a Struck],
+    falls: &'a [&'a Damped],
+}
+
 impl NoteFindings {
-    fn add(&mut self, expected: &[ExpectedNote], struck: &[Struck]) {
+    fn add(&mut self, expected: &[ExpectedNote], struck: &[Struck], damped: &[Damped]) {
         let known = self.deviations.len();
         for key in 0..=u8::MAX {
             let mut notes: Vec<_> = expected.iter().filter(|note| note.key == key).collect();
             let mut strikes: Vec<_> = struck.iter().filter(|strike| strike.key == key).collect();
             notes.sort_by(|a, b| a.onset.total_cmp(&b.onset));
             strikes.sort_by(|a, b| a.at.total_cmp(&b.at));
-            self.add_key(&notes, &strikes);
+            let mut falls: Vec<_> = damped.iter().filter(|fall| fall.key == key).collect();
+            falls.sort_by(|a, b| a.at.total_cmp(&b.at));
+            self.add_key(&notes, KeyEvents { strikes: &strikes, falls: &falls });
         }
         self.played += expected.len();
         self.struck += struck.len();
         self.deviations[known..].sort_by(|a, b| a.at.total_cmp(&b.at).then(a.key.cmp(&b.key)));
     }
 
-    /// Adds one key's notes and strikes, each in order of time.
-    fn add_key(&mut self, notes: &[&ExpectedNote], strikes: &[&Struck]) {
+    /// Adds one key's notes, in order of time, and events.
+    fn add_key(&mut self, notes: &[&ExpectedNote], events: KeyEvents<'_>) {
+        let strikes = events.strikes;
         let onsets: Vec<_> = notes.iter().map(|note| note.onset).collect();
         let times: Vec<_> = strikes.iter().map(|strike| strike.at).collect();
         let mut from = (0, 0);
         for (note, strike) in align(&onsets, &times, WINDOW) {
-            self.leave(&notes[from.0..note], &strikes[from.1..strike]);
-            self.pair(notes[note], strikes[strike]);
+            self.leave(&notes[from.0..note], &strikes[from.1..strike], events);
+            self.pair(notes[note], strikes[strike], events);
             from = (note + 1, strike + 1);
         }
-        self.leave(&notes[from.0..], &strikes[from.1..]);
+        self.leave(&notes[from.0..], &strikes[from.1..], events);
     }
 
-    fn pair(&mut self, note: &ExpectedNote, strike: &Struck) {
+    fn pair(
+        &mut self,
+        note: &ExpectedNote,
+        strike: &Struck,
+        KeyEvents { strikes, falls }: KeyEvents<'_>,
+    ) {
         self.paired += 1;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "seconds")]
-        self.onset.add(((strike.at - note.onset).abs() * 1e6).round() as u32);
+        self.onset.add(micros(strike.at - note.onset));
         self.velocity.add(strike.velocity.abs_diff(note.velocity).into());
+        let next = strikes.get(strikes.partition_point(|it| it.at <= strike.at)).map(|it| it.at);
+        let fall = falls.get(falls.partition_point(|it| it.at <= strike.at));
+        match fall.filter(|fall| next.is_none_or(|next| fall.at <= next)) {
+            Some(fall) => {
+                self.end.add(micros(fall.at - note.end));
+                let release = note.release.map(|wanted| fall.release.abs_diff(wanted));
+                release.into_iter().for_each(|error| self.release.add(error.into()));
+            }
+            None => next.into_iter().for_each(|next| self.end.add(micros(next - note.end))),
+        }
     }
 
     /// Adds the notes and strikes between two pairs: each note takes the first strike after it.
-    fn leave(&mut self, notes: &[&ExpectedNote], mut strikes: &[&Struck]) {
+    fn leave(&mut self, notes: &[&ExpectedNote], mut strikes: &[&Struck], events: KeyEvents<'_>) {
         let extra = |strike: &&Struck| Deviation {
             key: strike.key,
             at: strike.at,
@@ -199,7 +255,7 @@ impl NoteFindings {
                 && strike.at - note.onset <= REACH
             {
                 kind = DeviationKind::Late { by: strike.at - note.onset };
-                self.pair(note, strike);
+                self.pair(note, strike, events);
                 strikes = rest;
             }
             self.deviations.push(Deviation { key: note.key, at: note.onset, kind });
@@ -215,9 +271,17 @@ impl NoteFindings {
             extra: self.struck - self.paired,
             onset_error_ms: self.onset.spread(1e-3),
             velocity_error: self.velocity.spread(1.0),
+            end_error_ms: self.end.spread(1e-3),
+            release_error: (!self.release.0.is_empty()).then(|| self.release.spread(1.0)),
             deviations: self.deviations,
         }
     }
+}
+
+/// Returns the size of a time (us).
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "seconds")]
+fn micros(seconds: f64) -> u32 {
+    (seconds.abs() * 1e6).round() as u32
 }
 
 /// Compares a performance with its strikes while it is played, once or repeatedly. Keeps the
@@ -232,6 +296,8 @@ pub struct Assessor {
     passes: u64,
     /// Strikes of the present pass, in time from its beginning.
     struck: Vec<Struck>,
+    /// Falls of dampers of the present pass, likewise.
+    damped: Vec<Damped>,
     findings: NoteFindings,
 }
 
@@ -242,14 +308,20 @@ impl Assessor {
         left_out: Vec<ExpectedNote>,
         repeat: Option<f64>,
     ) -> Self {
-        let (struck, findings) = (Vec::new(), NoteFindings::default());
-        Self { expected, left_out, repeat, passes: 0, struck, findings }
+        let (struck, damped, findings) = (Vec::new(), Vec::new(), NoteFindings::default());
+        Self { expected, left_out, repeat, passes: 0, struck, damped, findings }
     }
 
     /// Adds a strike; strikes of one pass come before those of the next.
     pub fn hear(&mut self, strike: Struck) {
         let at = self.in_pass(strike.at);
         self.struck.push(Struck { at, ..strike });
+    }
+
+    /// Adds a fall of a damper, in order of time like the strikes.
+    pub fn damp(&mut self, fall: Damped) {
+        let at = self.in_pass(fall.at);
+        self.damped.push(Damped { at, ..fall });
     }
 
     /// Returns the result for the notes before the end at `duration` (s).
@@ -276,7 +348,7 @@ impl Assessor {
     fn end_pass(&mut self) {
         let Self { findings, repeat, .. } = self;
         let known = findings.deviations.len();
-        findings.add(&self.expected, &self.struck);
+        findings.add(&self.expected, &self.struck, &self.damped);
         findings.played += self.left_out.len();
         let begun = repeat.map_or(0.0, |length| self.passes as f64 * length);
         findings.deviations[known..].iter_mut().for_each(|it| it.at += begun);
@@ -284,6 +356,7 @@ impl Assessor {
             findings.deviations.truncate(MOST_DEVIATIONS);
         }
         self.struck.clear();
+        self.damped.clear();
     }
 }
 
@@ -292,7 +365,7 @@ mod tests {
     use super::*;
 
     fn expected(key: u8, onset: f64, velocity: u8) -> ExpectedNote {
-        ExpectedNote { key, onset, speed: 1.0, velocity }
+        ExpectedNote { key, onset, speed: 1.0, velocity, end: onset + 0.5, release: Some(60) }
     }
 
     fn struck(key: u8, at: f64, velocity: u8) -> Struck {
@@ -303,7 +376,7 @@ mod tests {
     fn every_note_finds_its_strike() {
         let notes = [expected(1, 1.0, 60), expected(1, 1.1, 60), expected(2, 1.0, 70)];
         let strikes = [struck(2, 1.001, 72), struck(1, 1.0995, 60), struck(1, 0.998, 59)];
-        let found = assess(&notes, &strikes);
+        let found = assess(&notes, &strikes, &[]);
         assert_eq!((found.missed, found.extra), (0, 0));
         assert!((found.onset_error_ms.max - 2.0).abs() < 1e-9);
         assert!((found.onset_error_ms.p50 - 1.0).abs() < 1e-9);
@@ -313,7 +386,7 @@ mod tests {
     #[test]
     fn a_strike_on_another_key_or_too_late_is_a_miss() {
         let notes = [expected(1, 1.0, 60), expected(2, 2.0, 60)];
-        let found = assess(&notes, &[struck(2, 1.0, 60), struck(2, 2.0 + 2.0 * REACH, 60)]);
+        let found = assess(&notes, &[struck(2, 1.0, 60), struck(2, 2.0 + 2.0 * REACH, 60)], &[]);
         assert_eq!((found.played, found.struck, found.missed, found.extra), (2, 2, 2, 2));
         assert_eq!(found.onset_error_ms, Spread::default());
         let kinds: Vec<_> = found.deviations.iter().map(|it| (it.key, it.at, it.kind)).collect();
@@ -322,8 +395,21 @@ mod tests {
     }
 
     #[test]
+    fn a_note_ends_with_its_damper_or_with_the_next_strike_on_its_key() {
+        let notes = [expected(1, 1.0, 60), expected(1, 1.5, 60), expected(2, 1.0, 60)];
+        let strikes = [struck(1, 1.0, 60), struck(1, 1.46, 60), struck(2, 1.0, 60)];
+        let damped = |key, at| Damped { key, at, release: 57 };
+        // The first is never damped, the second too late, the third in time.
+        let falls = [damped(2, 1.5), damped(2, 9.0), damped(1, 2.01)];
+        let found = assess(&notes, &strikes, &falls);
+        assert_eq!(found.end_error_ms.p50.to_bits(), 10.0_f64.to_bits(), "{found}");
+        assert!((found.end_error_ms.max - 40.0).abs() < 1e-9, "{found}");
+        assert_eq!(found.release_error, Some(Spread { p50: 3.0, p99: 3.0, max: 3.0 }));
+    }
+
+    #[test]
     fn a_note_that_is_four_seconds_late_is_one_late_note() {
-        let found = assess(&[expected(1, 1.0, 60)], &[struck(1, 5.0, 60)]);
+        let found = assess(&[expected(1, 1.0, 60)], &[struck(1, 5.0, 60)], &[]);
         assert_eq!((found.missed, found.extra), (0, 0));
         assert!((found.onset_error_ms.max - 4000.0).abs() < 1e-9);
         let late = DeviationKind::Late { by: 4.0 };
@@ -333,7 +419,7 @@ mod tests {
     #[test]
     fn a_strike_after_the_next_note_s_own_is_not_the_missed_note_s() {
         let notes = [expected(1, 1.0, 60), expected(1, 3.0, 60)];
-        let found = assess(&notes, &[struck(1, 3.0, 60), struck(1, 3.05, 9)]);
+        let found = assess(&notes, &[struck(1, 3.0, 60), struck(1, 3.05, 9)], &[]);
         assert_eq!((found.missed, found.extra), (1, 1));
         assert!(found.onset_error_ms.max < 1e-9);
     }

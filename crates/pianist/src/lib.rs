@@ -17,18 +17,20 @@
 
 mod align;
 pub mod assess;
+mod kept;
 pub mod pianist;
 pub mod rehearse;
 pub mod score;
 pub mod stroke;
 
 pub use assess::{
-    Assessment, Assessor, Deviation, DeviationKind, ExpectedNote, Spread, Struck, WINDOW, assess,
+    Assessment, Assessor, Damped, Deviation, DeviationKind, ExpectedNote, Spread, Struck, WINDOW,
+    assess,
 };
-pub use pianist::{Performance, Pianist, Progress, ShortStroke};
+pub use pianist::{CutNote, Performance, Pianist, Progress, ShortStroke};
 pub use rehearse::{
-    LATEST, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall, Strike, StrokeTable,
-    StrokeTables,
+    DamperFall, LiftTable, MISSING, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall,
+    Strike, StrokeTable, StrokeTables,
 };
 pub use score::{
     ChosenParts, PassedOver, PassedOverCounts, Score, ScoreError, ScoreNote, ScoreTrack, read,

@@ -7,10 +7,12 @@ use std::thread;
 
 use haptics::plant::Gesture;
 use keyboard::KEYS;
-use midi::{PedalMove, VelocityCurve};
+use midi::{PedalMove, Velocity, VelocityCurve};
 
 use crate::assess::{ExpectedNote, Struck};
-use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, Shortfall, StrokeTables};
+use crate::rehearse::{
+    LIFTS, Practice, QUICK_LIFT, Rehearsal, RehearsedStroke, Shortfall, StrokeTables,
+};
 use crate::score::Score;
 use crate::stroke::{PlannedStroke, Technique, plan};
 
@@ -51,6 +53,8 @@ pub struct Performance {
     pub predicted: Vec<Struck>,
     /// Notes that cannot be played as written, in order of onset, then of key.
     pub shortfalls: Vec<ShortStroke>,
+    /// Notes that end early for the next stroke on their key, in order of onset, then of key.
+    pub cuts: Vec<CutNote>,
     /// Softest and loudest hammer speed at the string that every played key reaches from rest
     /// (m/s), if each key strikes.
     pub range: Option<(f64, f64)>,
@@ -67,6 +71,19 @@ pub struct ShortStroke {
     /// Wanted time (s since the start of the performance).
     pub onset: f64,
     pub why: Shortfall,
+}
+
+/// A note that ends early so that its key can be struck again.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CutNote {
+    /// Key, 0 ..= 87.
+    pub key: u8,
+    /// Wanted time of the note (s since the start of the performance).
+    pub onset: f64,
+    /// Lost time (s).
+    pub by: f64,
+    /// Wanted time of the next stroke (s).
+    pub next: f64,
 }
 
 impl Performance {
@@ -108,10 +125,12 @@ impl Pianist {
         strokes: &[PlannedStroke],
         progress: impl FnMut(),
     ) -> KeyFindings {
-        let tables = StrokeTables::measure(&instrument, &self.technique);
-        let practice = Practice { tables: &tables, curve: self.curve, technique: &self.technique };
-        let strokes = practice.rehearse(instrument, strokes, progress);
-        KeyFindings { strokes, range: tables.range() }
+        let has_releases = strokes.iter().any(|stroke| stroke.release.is_some());
+        let lifts = if has_releases { &LIFTS[..] } else { &[Gesture::LIFT, QUICK_LIFT] };
+        let tables = StrokeTables::measure(&instrument, &self.technique, lifts);
+        let range = tables.range();
+        let practice = Practice { tables, curve: self.curve, technique: &self.technique };
+        KeyFindings { strokes: practice.rehearse(instrument, strokes, progress), range }
     }
 
     /// Gives the workers key after key, the busiest first; returns results in order of keys.
@@ -151,8 +170,11 @@ impl Pianist {
         let lead_in = self.technique.lead_in;
         let mut shortfalls: Vec<_> = rehearsed.iter().flatten().filter_map(short).collect();
         shortfalls.sort_by(|a, b| a.onset.total_cmp(&b.onset).then(a.key.cmp(&b.key)));
+        let mut cuts: Vec<_> = rehearsed.iter().flat_map(|strokes| cuts(strokes)).collect();
+        cuts.sort_by(|a, b| a.onset.total_cmp(&b.onset).then(a.key.cmp(&b.key)));
         Performance {
             shortfalls,
+            cuts,
             gestures,
             expected,
             range: None,
@@ -194,9 +216,25 @@ fn short(stroke: &RehearsedStroke) -> Option<ShortStroke> {
     stroke.shortfall.map(|why| ShortStroke { key, onset, why })
 }
 
+/// Returns the cut notes among one key's strokes.
+fn cuts(strokes: &[RehearsedStroke]) -> impl Iterator<Item = CutNote> {
+    let is_played = |stroke: &&RehearsedStroke| stroke.gesture.is_some();
+    let played = strokes.iter().filter(is_played);
+    played.clone().zip(played.skip(1)).filter_map(|(stroke, next)| {
+        let PlannedStroke { key, onset, .. } = stroke.wanted;
+        (0.0 < stroke.cut).then_some(CutNote {
+            key,
+            onset,
+            by: stroke.cut,
+            next: next.wanted.onset,
+        })
+    })
+}
+
 fn wanted(stroke: &PlannedStroke) -> ExpectedNote {
-    let &PlannedStroke { key, onset, speed, velocity, .. } = stroke;
-    ExpectedNote { key, onset, speed, velocity: velocity.get() }
+    let &PlannedStroke { key, onset, end, speed, velocity, release, .. } = stroke;
+    let release = release.map(Velocity::get);
+    ExpectedNote { key, onset, speed, velocity: velocity.get(), end, release }
 }
 
 fn run<T: Send>(n_workers: usize, worker: &(impl Fn() -> Vec<T> + Sync)) -> Vec<T> {

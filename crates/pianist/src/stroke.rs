@@ -2,7 +2,6 @@
 
 use haptics::plant::{Gesture, Touch};
 use keyboard::KEYS;
-use midi::velocity::release_speed;
 use midi::{Velocity, VelocityCurve};
 
 use crate::score::{Score, ScoreNote};
@@ -42,8 +41,8 @@ pub struct PlannedStroke {
     /// MIDI velocity of that speed.
     pub velocity: Velocity,
     pub touch: Touch,
-    /// Wanted time of the finger's lift (s): the longer, the slower the key is released.
-    pub lift: f64,
+    /// Wanted release velocity, if there is one.
+    pub release: Option<Velocity>,
 }
 
 /// Plans the strokes of every key, 88 lists in order of onset. Onsets are later than the score's by
@@ -68,15 +67,7 @@ fn wanted(note: &ScoreNote, curve: VelocityCurve, technique: &Technique) -> Plan
     let touch = if speed > technique.struck_above { Touch::Struck } else { Touch::Pressed };
     let onset = note.onset + technique.lead_in;
     let end = note.end + technique.lead_in;
-    let lift = note.release.map_or(Gesture::LIFT, lift);
-    PlannedStroke { key: note.key, onset, end, speed, velocity, touch, lift }
-}
-
-/// Returns the time of a lift in which the key passes its damper's height at `release` (s).
-fn lift(release: Velocity) -> f64 {
-    /// Travel of the finger over the time of its lift, at the fastest point (m).
-    const WAY: f64 = 1.875 * (Gesture::HOLD + Gesture::LIFT_HEIGHT);
-    WAY / release_speed(release)
+    PlannedStroke { key: note.key, onset, end, speed, velocity, touch, release: note.release }
 }
 
 /// Ends each stroke at the latest when the next on its key begins.
@@ -129,17 +120,5 @@ mod tests {
     #[test]
     fn the_shortest_note_still_sounds() {
         assert!((planned(&[note(0.0, 0.001, 58)])[0].end - 1.03).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_key_is_let_go_as_slowly_as_its_release_is_soft() {
-        let lift = |release| {
-            let release = Velocity::new(release);
-            planned(&[ScoreNote { release, ..note(0.0, 1.0, 58) }])[0].lift
-        };
-        assert!((lift(64) / lift(127) - 127.0 / 64.0).abs() < 1e-9);
-        // 25 mm at 0.4 m/s at most.
-        assert!((lift(127) - 1.875 * 25.16e-3 / 0.4).abs() < 1e-9, "{}", lift(127));
-        assert_eq!(planned(&[note(0.0, 1.0, 58)])[0].lift.to_bits(), Gesture::LIFT.to_bits());
     }
 }

@@ -5,7 +5,8 @@ use std::num::NonZero;
 use haptics::plant::Gesture;
 use midi::{Pedal, PedalMove};
 use pianist::{
-    Performance, Pianist, PlayOutcome, Rehearsal, Score, ScoreNote, Strike, Struck, assess,
+    DamperFall, Performance, Pianist, PlayOutcome, Rehearsal, Score, ScoreNote, Strike, Struck,
+    assess,
 };
 
 /// A key whose hammer gets faster towards the treble and strikes 10 mm after its start.
@@ -31,11 +32,16 @@ impl Rehearsal for Toy {
         };
         let strikes = gestures.iter().map(strike).filter(|s| span.contains(&s.at)).collect();
         let mut falls = gestures.iter().map(|g| g.release + 0.03).filter(|at| span.contains(at));
-        PlayOutcome { strikes, damper_fall: falls.next_back() }
+        let fall = falls.next_back().map(|at| DamperFall { at, speed: 0.2 });
+        PlayOutcome { strikes, damper_fall: fall }
     }
 
     fn depth(&self) -> f64 {
         0.0
+    }
+
+    fn period(&self) -> f64 {
+        1e-3
     }
 }
 
@@ -61,7 +67,7 @@ fn prepare(n_workers: usize) -> Performance {
 #[test]
 fn what_is_prepared_is_what_the_score_wants() {
     let performance = prepare(2);
-    let promised = assess(&performance.expected, &performance.predicted);
+    let promised = assess(&performance.expected, &performance.predicted, &[]);
     assert_eq!((promised.played, promised.missed, promised.extra), (200, 0, 0));
     assert!(promised.onset_error_ms.max <= 0.1, "{promised}");
     assert!(promised.velocity_error.max < 0.5, "{promised}");
@@ -88,11 +94,21 @@ fn the_gestures_played_in_one_go_are_heard_as_promised() {
             velocity: Pianist::default().curve.velocity(strike.speed).get(),
         }));
     }
-    let heard = assess(&performance.expected, &struck);
-    assert_eq!(heard, assess(&performance.expected, &performance.predicted));
+    let heard = assess(&performance.expected, &struck, &[]);
+    assert_eq!(heard, assess(&performance.expected, &performance.predicted, &[]));
 }
 
 #[test]
 fn the_number_of_threads_changes_nothing() {
     assert_eq!(prepare(1), prepare(3));
+}
+
+#[test]
+fn a_performance_is_the_same_bits_after_it_was_bytes() {
+    let performance = Performance { repeat: Some(30.0), ..prepare(2) };
+    let bytes = performance.to_bytes();
+    assert_eq!(Performance::from_bytes(&bytes), Some(performance));
+    for end in (0..bytes.len()).step_by(4) {
+        assert_eq!(Performance::from_bytes(&bytes[..end]), None, "{end} of {}", bytes.len());
+    }
 }

@@ -3,8 +3,8 @@
 use haptics::plant::{Gesture, Touch};
 use midi::{Velocity, VelocityCurve};
 use pianist::{
-    PlannedStroke, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall, Strike,
-    StrokeTable, StrokeTables, Technique, rehearse::tabulate,
+    DamperFall, PlannedStroke, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall,
+    Strike, StrokeTable, StrokeTables, Technique, rehearse::tabulate,
 };
 
 /// Time from a release to the fall of the damper (s).
@@ -53,7 +53,7 @@ impl Rehearsal for Toy {
             outcome.strikes.extend(strikes.iter().filter(|strike| span.contains(&strike.at)));
             let fall = gesture.release + FALL + self.hangs;
             if span.contains(&fall) {
-                outcome.damper_fall = Some(fall);
+                outcome.damper_fall = Some(DamperFall { at: fall, speed: 0.2 });
             }
             if gesture.release <= until {
                 self.released = Some(gesture.release);
@@ -67,19 +67,22 @@ impl Rehearsal for Toy {
     fn depth(&self) -> f64 {
         0.0
     }
+
+    fn period(&self) -> f64 {
+        1e-3
+    }
 }
 
 fn stroke(onset: f64, end: f64, velocity: u8, touch: Touch) -> PlannedStroke {
     let velocity = Velocity::nearest(f64::from(velocity));
     let speed = VelocityCurve::Disklavier.speed(velocity);
-    PlannedStroke { key: 39, onset, end, speed, velocity, touch, lift: Gesture::LIFT }
+    PlannedStroke { key: 39, onset, end, speed, velocity, touch, release: None }
 }
 
 fn rehearse(toy: &Toy, strokes: &[PlannedStroke]) -> Vec<RehearsedStroke> {
     let technique = Technique::default();
-    let tables = StrokeTables::measure(toy, &technique);
-    let practice =
-        Practice { tables: &tables, curve: VelocityCurve::Disklavier, technique: &technique };
+    let tables = StrokeTables::measure(toy, &technique, &[Gesture::LIFT]);
+    let practice = Practice { tables, curve: VelocityCurve::Disklavier, technique: &technique };
     let mut n_reported = 0;
     let rehearsed = practice.rehearse(toy.clone(), strokes, || n_reported += 1);
     assert_eq!(n_reported, strokes.len());
@@ -149,7 +152,7 @@ fn strokes_far_apart_are_met_at_the_first_try() {
     for stroke in &rehearsed {
         check_met(stroke);
         assert_eq!(stroke.gesture.expect("it is played").touch, stroke.wanted.touch);
-        assert!((stroke.damper_fall.expect("it falls") - stroke.wanted.end).abs() < 3e-3);
+        assert!((stroke.damper_fall.expect("it falls").at - stroke.wanted.end).abs() < 3e-3);
     }
     assert_eq!(rehearsed[0].n_tries, 2, "one for the strike, one for the release");
 }
@@ -159,7 +162,7 @@ fn a_key_whose_damper_falls_late_is_let_go_early() {
     let slow = Toy { hangs: 0.2, ..Toy::default() };
     let rehearsed = rehearse(&slow, &[stroke(1.0, 2.0, 60, Touch::Pressed)]);
     check_met(&rehearsed[0]);
-    assert!((rehearsed[0].damper_fall.expect("it falls") - 2.0).abs() < 3e-3);
+    assert!((rehearsed[0].damper_fall.expect("it falls").at - 2.0).abs() < 3e-3);
     assert!((release(&rehearsed[0]) - 1.76).abs() < 3e-3);
 }
 
@@ -215,7 +218,7 @@ fn what_cannot_be_in_time_is_left_out_and_named() {
         panic!("{:?}", rehearsed[1].shortfall)
     };
     assert!((0.03..0.2).contains(&late), "{late} s late");
-    let fall = rehearsed[0].damper_fall.expect("it falls");
+    let fall = rehearsed[0].damper_fall.expect("it falls").at;
     assert!((fall - 1.5).abs() < 3e-3, "the note before keeps its length, not {fall} s");
 }
 
@@ -244,7 +247,7 @@ fn a_long_note_is_not_cut_for_one_that_no_release_would_help() {
     let strokes = [stroke(1.0, 3.0, 60, Touch::Pressed), stroke(3.3, 4.0, 120, Touch::Struck)];
     let rehearsed = rehearse(&weak, &strokes);
     check_met(&rehearsed[0]);
-    let fall = rehearsed[0].damper_fall.expect("it falls");
+    let fall = rehearsed[0].damper_fall.expect("it falls").at;
     assert!((fall - 3.0).abs() < 3e-3, "{fall} s");
     let Some(Shortfall::Level { speed, wanted }) = rehearsed[1].shortfall else {
         panic!("{:?}", rehearsed[1].shortfall)
@@ -265,15 +268,18 @@ impl Rehearsal for Broken {
     fn depth(&self) -> f64 {
         0.0
     }
+
+    fn period(&self) -> f64 {
+        1e-3
+    }
 }
 
 #[test]
 fn a_key_that_never_strikes_is_reported_and_not_waited_for() {
     let technique = Technique::default();
-    let tables = StrokeTables::measure(&Broken, &technique);
+    let tables = StrokeTables::measure(&Broken, &technique, &[Gesture::LIFT]);
     assert_eq!(tables.pressed, StrokeTable::default());
-    let practice =
-        Practice { tables: &tables, curve: VelocityCurve::Disklavier, technique: &technique };
+    let practice = Practice { tables, curve: VelocityCurve::Disklavier, technique: &technique };
     let rehearsed = practice.rehearse(Broken, &[stroke(1.0, 2.0, 60, Touch::Pressed)], || ());
     assert_eq!((rehearsed[0].strike, rehearsed[0].n_strikes), (None, 0));
     assert_eq!((rehearsed[0].shortfall, rehearsed[0].gesture), (Some(Shortfall::Silent), None));

@@ -16,6 +16,7 @@ use super::run_status::nanos_now;
 use super::voice_port::VoicePort;
 use super::{BackgroundWork, EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING, RunStatus};
 use crate::observe::{LogSink, MessageSink as _, RecordingHandle, TelemetryMessage};
+use crate::session::RehearsalCache;
 
 /// Access of requests to a run, from its preparation to its end.
 ///
@@ -29,6 +30,8 @@ pub struct RunHandle {
     pub status: Arc<RunStatus>,
     /// Socket of the guardian for its MIDI port, if any.
     guardian: Option<PathBuf>,
+    /// Kept rehearsals, if any are kept.
+    rehearsals: Option<RehearsalCache>,
     voices: Mutex<VoicePort>,
     keys: Mutex<KeyPort>,
     telemetry: Mutex<TelemetryPort>,
@@ -48,6 +51,16 @@ impl RunHandle {
     /// as a guardian.
     pub fn guarded_at(path: PathBuf) -> Self {
         Self { guardian: Some(path), ..Self::default() }
+    }
+
+    /// Returns the handle of a run that looks for rehearsals in a folder, and keeps its own there.
+    #[must_use]
+    pub fn keeping_rehearsals(self, rehearsals: Option<RehearsalCache>) -> Self {
+        Self { rehearsals, ..self }
+    }
+
+    pub(crate) const fn rehearsals(&self) -> Option<&RehearsalCache> {
+        self.rehearsals.as_ref()
     }
 
     pub(crate) fn guardian(&self) -> Option<&Path> {

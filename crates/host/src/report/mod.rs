@@ -24,7 +24,9 @@ pub(crate) use board_line::{
 pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
-pub use note_report::{ErrorQuantiles, NoteDeviation, NoteReport, NoteShortfall, UnplayedNotes};
+pub use note_report::{
+    ErrorQuantiles, NoteCut, NoteDeviation, NoteReport, NoteShortfall, UnplayedNotes,
+};
 pub use overload::{LeftOut, OverloadReport};
 pub use step_counts::StepCounts;
 

@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use firmware_protocol::key::KeyIndex;
-use pianist::{Assessment, Deviation, DeviationKind, PassedOverCounts, ShortStroke};
+use pianist::{Assessment, CutNote, Deviation, DeviationKind, PassedOverCounts, ShortStroke};
 use serde::{Serialize, Serializer};
 use telemetry::key_name;
 
@@ -22,6 +22,10 @@ pub struct NoteReport {
     pub onset_error_ms: ErrorQuantiles,
     /// Distances of strikes from their notes (MIDI velocities).
     pub velocity_error: ErrorQuantiles,
+    /// Distances of note ends from the wanted ones, early or late (ms).
+    pub end_error_ms: ErrorQuantiles,
+    /// Distances of release velocities from the written ones, if the pieces contain any.
+    pub release_error: Option<ErrorQuantiles>,
     /// Notes that are missed or late though the pianist played them, and extra strikes, in order
     /// of time.
     pub deviations: Vec<NoteDeviation>,
@@ -29,6 +33,8 @@ pub struct NoteReport {
     pub range_m_per_s: Option<(f64, f64)>,
     /// Predicted shortcomings of the keys in one pass, in order of time.
     pub shortfalls: Vec<NoteShortfall>,
+    /// Notes that end early for the next stroke on their key, in order of time.
+    pub cuts: Vec<NoteCut>,
     pub unplayed: UnplayedNotes,
 }
 
@@ -99,6 +105,32 @@ impl fmt::Display for NoteShortfall {
     }
 }
 
+/// A note that ends early for the next stroke on its key.
+#[derive(Clone, Debug, Serialize)]
+pub struct NoteCut {
+    /// Name of the key, such as C4.
+    pub key: String,
+    /// Intended time of the note (s since the start of the run).
+    pub at_s: f64,
+    /// Lost time (ms).
+    pub by_ms: f64,
+    pub why: String,
+}
+
+impl NoteCut {
+    pub fn new(cut: &CutNote) -> Self {
+        let why = format!("for the next stroke of its key at {:.3} s", cut.next);
+        Self { key: key_name(cut.key.into()), at_s: cut.onset, by_ms: cut.by * 1e3, why }
+    }
+}
+
+impl fmt::Display for NoteCut {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { key, at_s, by_ms, why } = self;
+        write!(f, "{key} at {at_s:.3} s ends {by_ms:.0} ms early {why}")
+    }
+}
+
 /// A missed or late note, or an extra strike.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoteDeviation {
@@ -151,6 +183,9 @@ impl NoteReport {
             extra: it.extra,
             onset_error_ms: spread(&it.onset_error_ms),
             velocity_error: spread(&it.velocity_error),
+            end_error_ms: spread(&it.end_error_ms),
+            release_error: it.release_error.as_ref().map(spread),
+            cuts: Vec::new(),
             shortfalls: shortfalls.iter().map(NoteShortfall::new).collect(),
             deviations: it.deviations.iter().map(NoteDeviation::new).collect(),
             unplayed: UnplayedNotes::default(),
@@ -170,6 +205,18 @@ impl NoteReport {
             "              onset error p50 {:.3} p99 {:.3} max {:.3} ms; velocity error p50 {:.0} p99 {:.0} max {:.0}",
             o.p50, o.p99, o.max, v.p50, v.p99, v.max
         )?;
+        let end = &self.end_error_ms;
+        write!(
+            f,
+            "              note end error p50 {:.1} p99 {:.1} max {:.1} ms",
+            end.p50, end.p99, end.max
+        )?;
+        match &self.release_error {
+            Some(ErrorQuantiles { p50, p99, max }) => {
+                writeln!(f, "; release velocity error p50 {p50:.0} p99 {p99:.0} max {max:.0}")?
+            }
+            None => writeln!(f)?,
+        }
         if 1 < self.pieces || 1 < self.passes {
             let (pieces, passes) = (self.pieces, self.passes);
             writeln!(
@@ -185,6 +232,10 @@ impl NoteReport {
         }
         self.fmt_deviations(f)?;
         self.fmt_shortfalls(f)?;
+        if !self.cuts.is_empty() {
+            writeln!(f, "              {} notes end early for the next stroke:", self.cuts.len())?;
+            fmt_first(f, self.cuts.iter())?;
+        }
         self.unplayed.fmt_lines(f)
     }
 

@@ -10,6 +10,7 @@ mod monitored_output;
 mod observed;
 mod play_list;
 mod real;
+mod rehearsal_cache;
 mod sound_out;
 mod threads;
 mod trial;
@@ -36,7 +37,9 @@ use engine::voice::{BuildError, VoiceBuilder};
 use crate::control::{RunHandle, passes};
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{MessageSink, TelemetryMessage};
-use crate::report::{Deadline, Evaluations, LostTicks, NoteReport, OverloadReport, Realtime};
+use crate::report::{
+    Deadline, Evaluations, LostTicks, NoteCut, NoteReport, OverloadReport, Realtime,
+};
 use crate::report::{RunExtent, RunReport, StepCounts, VoiceTotals};
 use engine::realtime::clock;
 use engine::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
@@ -58,6 +61,7 @@ pub use fidelity::choose_fidelity;
 pub use found_keys::FoundKeys;
 pub use play_list::PianistProgress;
 use play_list::RehearsedPlayList;
+pub use rehearsal_cache::RehearsalCache;
 pub use trial::RunTrial;
 use unit_costs::UnitCosts;
 
@@ -331,6 +335,11 @@ impl RunSession {
         self.prepared.play_list.as_ref()?.pass
     }
 
+    /// Returns `true` if the pianist's rehearsal was kept from an earlier run.
+    pub fn is_rehearsal_kept(&self) -> bool {
+        self.prepared.play_list.as_ref().is_some_and(|list| list.is_kept)
+    }
+
     /// Returns the name of the MIDI output, or the reason for its absence.
     pub fn midi(&self) -> String {
         self.prepared.midi.report.words()
@@ -498,7 +507,9 @@ fn notes(
     let shortfalls =
         performance.shortfalls.iter().filter(|it| it.onset < duration - pianist::WINDOW);
     let shortfalls: Vec<_> = shortfalls.copied().collect();
+    let cuts = performance.cuts.iter().filter(|it| it.onset < duration - pianist::WINDOW);
     NoteReport {
+        cuts: cuts.map(NoteCut::new).collect(),
         pieces: list.pieces,
         passes,
         unplayed: list.unplayed.clone(),

@@ -32,6 +32,8 @@ pub(super) struct RehearsedPlayList {
     pub(super) unplayed: UnplayedNotes,
     /// Bars and names of the piece for a MIDI file, which begin at time 0 of the run.
     pub(super) timing: Option<ScoreTiming>,
+    /// `true` if the rehearsal was kept from an earlier run.
+    pub(super) is_kept: bool,
 }
 
 /// Rehearses the scene's play list, up to `duration` (s) if the run ends before the list does.
@@ -68,13 +70,23 @@ pub(super) fn rehearse(
         handle.status.rehearse(now.done, now.total);
         progress(now);
     };
-    let mut performance = pianist.prepare(&score, instrument, rehearsed);
+    let cache = handle.rehearsals();
+    let content = cache.map(|cache| cache.content((scene, builder), &pianist, &score));
+    let cache = cache.zip(content.as_deref());
+    let kept = cache.and_then(|(cache, content)| cache.find(content));
+    let is_kept = kept.is_some();
+    let mut performance = kept.unwrap_or_else(|| pianist.prepare(&score, instrument, rehearsed));
     work.verdict()?;
+    if let Some((cache, content)) = cache.filter(|_| !is_kept) {
+        // Without a place for it the next run rehearses again.
+        let _unkept = cache.keep(content, &performance);
+    }
     // The length of a cut score is too small.
     let length = length.max(performance.end()) + REST - technique.lead_in;
     let pass = repeat.then(|| clock::nearest_integer((length / period).ceil()));
     performance.repeat = pass.map(|ticks| ticks as f64 * period);
-    Ok(Some(RehearsedPlayList { performance, pieces: pieces.len(), pass, unplayed, timing }))
+    let pieces = pieces.len();
+    Ok(Some(RehearsedPlayList { performance, pieces, pass, unplayed, timing, is_kept }))
 }
 
 /// Reads pieces as one score, with a rest between them.

@@ -1,138 +1,111 @@
 //! Choice of the release of a key.
 
 use haptics::plant::Gesture;
+use midi::velocity::{release_level, release_speed};
 
-use super::hand::{PlannedKey, QUICK_LIFT};
 use super::search::Try;
-use super::{PlayOutcome, Practice, Rehearsal, RehearsedStroke};
+use super::take::Take;
+use super::{DamperFall, Practice, QUICK_LIFT, Rehearsal, SETTLED, price};
 use crate::stroke::PlannedStroke;
 
 /// Shortest time from a strike to the release of its key (s).
 const SHORTEST_HOLD: f64 = 0.01;
 
-/// Guess for a key that was not seen to fall: time from a release to the fall of the damper (s).
-const USUAL_FALL: f64 = 0.03;
-
 /// Time before the first guess that is kept open for an earlier release (s).
 const LEEWAY: f64 = 0.1;
 
-/// Longest wait for the damper after a release (s).
+/// Longest wait for the damper after a lift (s).
 const PATIENCE: f64 = 0.25;
 
 /// Largest accepted distance from the wanted end (s).
 const TOLERANCE: f64 = 3e-3;
 
+/// Largest accepted distance from the wanted release velocity.
+const UNITS: f64 = 3.0;
+
 const MAX_TRIES: u32 = 7;
 
-/// Delay of a damper's fall per second of a longer lift: the lift passes the key's bottom after a
-/// third of its time, and the damper's height half-way.
-const FALL_PER_LIFT: f64 = 0.4;
+/// Range of the lifts that are searched (s).
+const LIFTS: (f64, f64) = (10e-3, 1.0);
 
-/// Chooses the release of the gesture in `found`, and gives the gesture to the key. The damper
-/// falls as near to the wanted end as a release by `latest` (s) allows, when the next stroke needs
-/// the key.
-pub(super) fn choose<R: Rehearsal>(
-    practice: &Practice<'_>,
-    hand: &mut PlannedKey<R>,
-    wanted: &PlannedStroke,
-    found: &Try,
-    latest: Option<f64>,
-) -> RehearsedStroke {
-    let limits = ReleaseWindow::new(hand, wanted, found, latest);
-    let (guess, lift) = limits.first_guess(wanted, practice.tables.fall.unwrap_or(USUAL_FALL));
-    hand.keep(found.gesture);
-    let held = hand.advance(guess - LEEWAY);
-    let limits = ReleaseWindow { earliest: limits.earliest.max(hand.now()), ..limits };
-    let Released { release, outcome, n_tries } = refine(hand, wanted.end, (guess, lift), limits);
-    hand.let_go(release, lift);
+/// A stroke before its release was chosen, with snapshots of its hold.
+#[derive(Clone, Debug)]
+pub(super) struct Held<R> {
+    take: Take<R>,
+    gesture: Gesture,
+    /// Earliest release (s): after the strike.
+    pub(super) earliest: f64,
+}
 
-    let strikes = held.strikes.iter().chain(&outcome.strikes);
-    let gesture = Gesture { release, lift, ..found.gesture };
-    RehearsedStroke {
-        wanted: *wanted,
-        gesture: Some(gesture),
-        shortfall: None,
-        strike: found.strike,
-        n_strikes: strikes.filter(|strike| strike.at >= gesture.start).count(),
-        damper_fall: outcome.damper_fall.filter(|fall| *fall > release),
-        n_tries: found.n_tries + n_tries,
+/// A take with a release.
+#[derive(Clone, Debug)]
+pub(super) struct Released<R> {
+    pub(super) take: Take<R>,
+    pub(super) gesture: Gesture,
+    pub(super) n_tries: u32,
+}
+
+impl<R: Rehearsal> Held<R> {
+    pub(super) fn new(found: Try<R>, wanted: &PlannedStroke) -> Self {
+        let struck = found.strike.map_or(wanted.onset, |strike| strike.at);
+        Self { take: found.take, gesture: found.gesture, earliest: struck + SHORTEST_HOLD }
     }
-}
 
-/// Returns the earliest release of the key (s): after its strike.
-pub(super) fn earliest(wanted: &PlannedStroke, found: &Try) -> f64 {
-    found.strike.map_or(wanted.onset, |strike| strike.at) + SHORTEST_HOLD
-}
+    /// Returns the key with a quick release at `release` (s).
+    pub(super) fn released(&mut self, release: f64, lift: f64) -> Released<R> {
+        let release = release.max(self.earliest).max(self.take.earliest());
+        self.take.record(release, |_| false);
+        let gesture = Gesture { release, lift, ..self.gesture };
+        Released { take: self.take.branch(release, gesture), gesture, n_tries: 0 }
+    }
 
-/// Times at which a key may be released (s).
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct ReleaseWindow {
-    earliest: f64,
-    latest: f64,
-}
-
-impl ReleaseWindow {
-    fn new<R: Rehearsal>(
-        hand: &PlannedKey<R>,
+    /// Releases the key so that the damper falls when it should, and as fast. The key is kept as it
+    /// was for an earlier release, should a stroke at `next` (s) need one.
+    pub(super) fn release(
+        &mut self,
+        practice: &Practice<'_>,
         wanted: &PlannedStroke,
-        found: &Try,
-        latest: Option<f64>,
-    ) -> Self {
-        let earliest = earliest(wanted, found).max(hand.now());
-        Self { earliest, latest: latest.unwrap_or(f64::INFINITY) }
-    }
-
-    /// Returns release and lift (s) for a stroke whose damper falls `fall` (s) after a usual
-    /// release. The lift is as slow as wanted if the note is long enough and the key is not needed.
-    fn first_guess(self, wanted: &PlannedStroke, fall: f64) -> (f64, f64) {
-        let later = |lift: f64| FALL_PER_LIFT * (lift - Gesture::LIFT);
-        let longest = Gesture::LIFT + (wanted.end - self.earliest - fall) / FALL_PER_LIFT;
-        let lift = wanted.lift.min(longest).max(QUICK_LIFT);
-        let release = wanted.end - fall - later(lift);
-        if release <= self.latest {
-            (self.apply(release), lift)
-        } else {
-            (self.apply(release), QUICK_LIFT)
+        next: f64,
+    ) -> Released<R> {
+        let lifts = &practice.tables.lifts;
+        let mut lift = wanted.release.map_or(Gesture::LIFT, |it| lifts.lift(release_speed(it)));
+        // A slow lift must fit into the note.
+        while QUICK_LIFT < lift && wanted.end - lifts.fall(lift) < self.earliest {
+            lift *= 0.8;
         }
-    }
-
-    /// Returns the allowed time nearest to `release` (s); the strike comes before the next stroke.
-    fn apply(self, release: f64) -> f64 {
-        release.min(self.latest).max(self.earliest)
+        let mut release = wanted.end - lifts.fall(lift);
+        self.take.skip((release - LEEWAY).min(next - SETTLED));
+        let mut best: Option<(f64, Released<R>)> = None;
+        for n_tries in 1..=MAX_TRIES {
+            let mut tried = Released { n_tries, ..self.released(release, lift) };
+            (release, lift) = (tried.gesture.release, tried.gesture.lift);
+            let is_down = |take: &Take<R>| take.fall(release, f64::INFINITY);
+            tried.take.record(release + lift + PATIENCE, |it| is_down(it).is_some());
+            let Some(fall) = is_down(&tried.take) else { return tried };
+            let (off, units) = (fall.at - wanted.end, off_by(wanted, fall));
+            let price = price::end(off, units);
+            if best.as_ref().is_none_or(|best| price < best.0) {
+                best = Some((price, tried));
+            }
+            if off.abs() <= TOLERANCE && units.abs() <= UNITS {
+                break;
+            }
+            let before = (release.max(self.earliest), lift);
+            if UNITS < units.abs() {
+                let speed = wanted.release.map_or(fall.speed, release_speed);
+                lift = (lift * fall.speed / speed).clamp(LIFTS.0, LIFTS.1);
+            }
+            release -= off + lifts.fall(lift) - lifts.fall(before.1);
+            if (release.max(self.earliest), lift) == before {
+                break;
+            }
+        }
+        let Some((_, best)) = best else { unreachable!("there is a first try") };
+        best
     }
 }
 
-struct Released {
-    release: f64,
-    outcome: PlayOutcome,
-    n_tries: u32,
-}
-
-/// Moves the release from `guess` until the damper falls at `end`, within `limits` (all in s).
-fn refine<R: Rehearsal>(
-    hand: &mut PlannedKey<R>,
-    end: f64,
-    (guess, lift): (f64, f64),
-    limits: ReleaseWindow,
-) -> Released {
-    let mut release = guess;
-    let mut n_tries = 0;
-    let mut best: Option<(f64, Released)> = None;
-    loop {
-        n_tries += 1;
-        hand.let_go(release, lift);
-        let outcome = hand.look_ahead(release + lift + PATIENCE);
-        let fall = outcome.damper_fall.filter(|fall| *fall > release);
-        let late = fall.map_or(0.0, |fall| fall - end);
-        let better = limits.apply(release - late);
-        let stays = (better - release).abs() < f64::EPSILON * release;
-        if best.as_ref().is_none_or(|best| late.abs() < best.0) {
-            best = Some((late.abs(), Released { release, outcome, n_tries }));
-        }
-        if n_tries >= MAX_TRIES || late.abs() <= TOLERANCE || stays {
-            let Some((_, best)) = best else { continue };
-            return Released { n_tries, ..best };
-        }
-        release = better;
-    }
+/// Returns the error of a release velocity, if one is wanted.
+fn off_by(wanted: &PlannedStroke, fall: DamperFall) -> f64 {
+    wanted.release.map_or(0.0, |it| release_level(fall.speed) - f64::from(it.get()))
 }

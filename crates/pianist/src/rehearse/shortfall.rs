@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use super::search::{Try, level_error};
+use super::price::{LOUD, MISSING};
+use super::search::Try;
 use super::{Practice, Strike};
 use crate::stroke::PlannedStroke;
 
-/// Lateness above which a stroke is left out (s): rhythm bears no more, and the next stroke of the
-/// key would be late, too.
-pub const LATEST: f64 = 0.01;
+/// Lateness above which a stroke is reported (s).
+const LATE: f64 = 5e-3;
 
 /// Velocity error above which the stroke is reported (MIDI units).
 const LEVEL: f64 = 2.0;
@@ -21,8 +21,17 @@ pub enum Shortfall {
         /// Lateness of the strike (s), if there would be one.
         late: Option<f64>,
     },
+    /// The key can be struck in time, but so loud that the stroke is left out.
+    TooLoud {
+        speed: f64,
+        wanted: f64,
+    },
     /// No gesture throws the hammer to the string; the stroke is left out.
     Silent,
+    /// The stroke is played late (s).
+    Late {
+        by: f64,
+    },
     /// The key does not reach the speed; the nearest is played.
     Level {
         /// Hammer speed at the string (m/s).
@@ -35,14 +44,14 @@ pub enum Shortfall {
 
 impl Shortfall {
     pub const fn is_left_out(&self) -> bool {
-        matches!(self, Self::TooSoon { .. } | Self::Silent)
+        matches!(self, Self::TooSoon { .. } | Self::TooLoud { .. } | Self::Silent)
     }
 
     /// Returns the shortfall of `found`, the best try for `wanted`.
-    pub(super) fn of(
+    pub(super) fn of<R>(
         practice: &Practice<'_>,
         wanted: &PlannedStroke,
-        found: &Try,
+        found: &Try<R>,
         is_free: IsFree,
     ) -> Option<Self> {
         let Some(Strike { at, speed }) = found.strike else {
@@ -51,19 +60,27 @@ impl Shortfall {
                 IsFree::No => Self::TooSoon { late: None },
             });
         };
-        let late = at - wanted.onset;
-        if late < -LATEST {
-            // A hammer that still moves flies at the touch of the finger.
-            return Some(Self::TooSoon { late: None });
-        }
-        if late > LATEST {
-            return Some(Self::TooSoon { late: Some(late) });
+        let (by, wanted_speed) = (at - wanted.onset, wanted.speed);
+        let louder = practice.curve.level(speed) - practice.curve.level(wanted_speed);
+        let is_late = LOUD * louder.abs() < 1e3 * by;
+        if MISSING <= found.price {
+            // A hammer that still moves may fly early, at the touch of the finger.
+            return Some(if is_late {
+                Self::TooSoon { late: Some(by) }
+            } else if by < -LATE {
+                Self::TooSoon { late: None }
+            } else {
+                Self::TooLoud { speed, wanted: wanted_speed }
+            });
         }
         if found.n_extra > 0 {
             return Some(Self::Repeated);
         }
-        let is_off = level_error(practice, wanted, found.strike) > LEVEL;
-        is_off.then_some(Self::Level { speed, wanted: wanted.speed })
+        if LATE < by && is_late {
+            return Some(Self::Late { by });
+        }
+        let is_off = louder.abs() > LEVEL;
+        is_off.then_some(Self::Level { speed, wanted: wanted_speed })
     }
 }
 
@@ -85,6 +102,13 @@ impl fmt::Display for Shortfall {
                 write!(f, "left out, since its key cannot be struck again so soon")
             }
             Self::Silent => write!(f, "left out, since no stroke of the finger reaches the string"),
+            Self::TooLoud { speed, wanted } => write!(
+                f,
+                "left out, since its key is struck again only too loud: {speed:.2} m/s, not {wanted:.2} m/s"
+            ),
+            Self::Late { by } => {
+                write!(f, "{:.0} ms late, since its key cannot be struck again sooner", by * 1e3)
+            }
             Self::Level { speed, wanted } if speed < wanted => {
                 write!(f, "softer than written: the key gives {speed:.2} m/s of {wanted:.2} m/s")
             }
