@@ -122,8 +122,7 @@ impl ClockModel {
         self.drift_error <= RATE_ERROR
     }
 
-    /// Tells whether the board's clock runs so much faster or slower than the host's that the board
-    /// cannot be used.
+    /// Returns `true` if the board's clock runs too fast or too slow for the board to be used.
     pub fn is_beyond_tolerance(&self) -> bool {
         self.is_rate_known() && MOST_DRIFT + self.drift_error < self.drift.abs()
     }
@@ -224,7 +223,6 @@ mod tests {
         (150 + late(2 * n), 150 + late(2 * n + 1))
     }
 
-    /// Learns `n` round trips, 20 ms apart, of a clock at `rate` from `board_us` on.
     fn learned(n: u64, rate: f64, board_us: u32) -> (ClockModel, impl Fn(u64) -> u32) {
         learned_every(20_000, n, rate, board_us)
     }

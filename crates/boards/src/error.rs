@@ -1,20 +1,17 @@
 //! What can be wrong at set-up, as sentences for the operator.
 
-use std::io;
-use std::path::PathBuf;
+use std::{io, path::PathBuf};
 
 use documents::shown;
 
 /// Why something could not be set up.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The tick's period is not one that boards can keep.
     #[error("a tick of {period} s is not possible; give a period above 0 and up to 1 s")]
     Period {
         /// The period that was asked for (s).
         period: f64,
     },
-    /// A board cannot carry these keys.
     #[error(
         "a board of {n_keys} keys from key {first} on is not possible; \
          give 1 to 12 keys, all within the 88"

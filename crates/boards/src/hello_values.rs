@@ -1,7 +1,6 @@
 //! What the numbers in a hello can be.
 
-use std::fmt;
-use std::ops::RangeInclusive;
+use std::{fmt, ops::RangeInclusive};
 
 use firmware_protocol::frame::hello::Hello;
 

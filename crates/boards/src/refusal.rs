@@ -3,17 +3,14 @@
 use std::fmt;
 
 use firmware_protocol::acyclic::{ANSWER_MS, Operation, RETRY_MS, Status};
-use firmware_protocol::frame::hello::safe_reason;
-use firmware_protocol::version::PROTOCOL_VERSION;
+use firmware_protocol::{frame::hello::safe_reason, version::PROTOCOL_VERSION};
 use keyboard::{KeyIndex, KeyRange};
 
-use crate::calibration::CalibrationFault;
-use crate::clock::MOST_DRIFT;
-use crate::hello_values::ImpossibleValue;
 use crate::identity::{ClaimedKeys, Uid};
-use crate::rt::board_supervisor::SlowSamples;
-use crate::rt::key_fault::KeyFault;
-use crate::untaken::UntakenForces;
+use crate::{
+    calibration::CalibrationFault, clock::MOST_DRIFT, hello_values::ImpossibleValue,
+    rt::board_supervisor::SlowSamples, rt::key_fault::KeyFault, untaken::UntakenForces,
+};
 
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -159,7 +156,6 @@ pub struct LineTraffic {
     pub frames: u64,
     /// What came and was no frame.
     pub corrupt: u64,
-    /// The line was down.
     pub down: u64,
 }
 
@@ -200,7 +196,6 @@ pub fn late_words(ms: u16) -> String {
     format!("its samples are {ms} ms old when they come, longer than forces are valid")
 }
 
-/// Returns why a board is safe, in words.
 pub const fn reason_words(reason: u8) -> &'static str {
     match reason {
         safe_reason::NONE => "it is armed",
@@ -262,14 +257,12 @@ impl fmt::Display for Refusals {
 impl std::error::Error for Refusals {}
 
 impl Refusals {
-    /// Tells whether another try may succeed: a board without power may get it, and a calibration
-    /// file that is damaged stays so.
+    /// Returns `true` if another try may succeed: power may return, a damaged file stays damaged.
     pub fn may_pass(&self) -> bool {
         !self.0.iter().any(|it| matches!(it, Refusal::Calibration { .. }))
     }
 
-    /// Returns whether another try within seconds may succeed: each refusal is of what was
-    /// measured, or was not there yet.
+    /// Returns `true` if another try within seconds may succeed: all was measured, or is to come.
     pub fn may_pass_soon(&self) -> bool {
         self.0.iter().all(|refusal| match refusal {
             Refusal::Silent { .. }

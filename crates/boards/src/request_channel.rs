@@ -3,13 +3,11 @@
 //! It has no clock and no link: time (us) is an argument, frames go through the caller.
 
 use firmware_protocol::acyclic::{AcyclicReply, Operation, RETRY_MS, encode_request};
-use firmware_protocol::key::BoardId;
-use firmware_protocol::{MAX_FRAME, Record};
+use firmware_protocol::{MAX_FRAME, Record, key::BoardId};
 
 /// Times that a request is asked before the board counts as silent.
 const TRIES: u8 = 8;
 
-/// A request and when it was pending.
 #[derive(Clone, Copy, Debug)]
 struct PendingRequest {
     frame: [u8; MAX_FRAME],
@@ -32,7 +30,6 @@ pub struct RequestChannel {
 #[derive(Clone, Copy, Debug)]
 pub struct ReceivedReply<'a> {
     pub reply: AcyclicReply<'a>,
-    /// What had been asked for.
     pub operation: Operation,
     /// When its request was sent, if that was once only (us).
     pub sent_us: Option<u64>,
@@ -41,8 +38,7 @@ pub struct ReceivedReply<'a> {
 impl RequestChannel {
     /// Begins without a request; the first one will have the number `first`.
     ///
-    /// A host that starts anew begins elsewhere, or its first request would be taken for the
-    /// last one of the host before.
+    /// A restarted host begins elsewhere, or its request could be taken for its last one before.
     pub const fn new(board: BoardId, first: u8) -> Self {
         Self { board, next_id: first, pending: None }
     }
@@ -84,8 +80,7 @@ impl RequestChannel {
         Some(ReceivedReply { reply, operation: pending.operation, sent_us })
     }
 
-    /// Tells whether the board did not answer, however often it was asked; then it may be asked
-    /// something else.
+    /// Returns `true` if the board never answered; then another request may be sent.
     pub fn gave_up(&mut self, now_us: u64) -> bool {
         let retry_us = u64::from(RETRY_MS) * 1_000;
         let is_silent = |pending: &mut PendingRequest| {
@@ -99,8 +94,7 @@ impl RequestChannel {
 mod tests {
     use super::*;
     use firmware_protocol::Nothing;
-    use firmware_protocol::acyclic::ping::Pong;
-    use firmware_protocol::acyclic::{Status, encode_reply};
+    use firmware_protocol::acyclic::{Status, encode_reply, ping::Pong};
 
     fn board() -> BoardId {
         BoardId::new(4).unwrap()

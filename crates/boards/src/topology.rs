@@ -14,13 +14,11 @@ pub struct BoardPlace {
 }
 
 impl BoardPlace {
-    /// Returns the keys that it carries, as indices into an array over the compass.
     pub const fn keys(&self) -> std::ops::Range<usize> {
         let first = self.first_key.index();
         first..first + self.n_keys
     }
 
-    /// Returns the range of its keys; none if they are not possible.
     pub fn key_range(&self) -> Option<KeyRange> {
         let last = u8::try_from(self.keys().end.checked_sub(1)?).ok()?;
         KeyRange::new(self.first_key, KeyIndex::new(last)?)

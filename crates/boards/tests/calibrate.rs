@@ -1,18 +1,15 @@
 //! Simulated boards on a bench: the measurements match their construction.
 
-use boards::calibrate::range::MOST_FORCE;
 use boards::calibrate::{
     self, Bench, CalibrationFault, RangeMeasurement, RangeTerms, RangedObject, Rested, Travelled,
 };
-use boards::calibration::KeyCalibration;
 use boards::keybed::{Keybed, NamedLink};
 use boards::sim::board::{BoardMake, SimulatedBoard};
-use firmware_protocol::Nothing;
-use firmware_protocol::acyclic::Operation;
+use boards::{calibrate::range::MOST_FORCE, calibration::KeyCalibration};
 use firmware_protocol::acyclic::calibration::{KeyCalibration as Kept, ReadCalibration};
 use firmware_protocol::key::{BoardId, KeyIndex};
-use haptics::plant::RigParameters;
-use haptics::{AnyEstimator, BackwardDifference, SampledWall};
+use firmware_protocol::{Nothing, acyclic::Operation};
+use haptics::{AnyEstimator, BackwardDifference, SampledWall, plant::RigParameters};
 
 use crate::common::{Living, armed, clock, pair};
 
@@ -78,7 +75,6 @@ fn a_weak_motor_is_known_by_a_weight_and_the_board_is_told() {
     let empty = Travelled { bottom: 10.16e-3, friction: 0.12 / 0.8, float: 0.0 };
     let gain = tried(|| bench.balance(key(0), &rested, &empty, 0.05)).expect("a balance");
     assert!((gain - 1.25).abs() < 0.03, "{gain}");
-
     let calibration = calibrate::calibrated(&KeyCalibration::nominal(1e-6), &rested, &empty, gain);
     assert!((calibration.friction - 0.12).abs() < 0.01, "{calibration:?}");
     let mut keybed = bench.release();

@@ -3,8 +3,7 @@
 use std::ops::Range;
 
 use boards::links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
-use boards::sim::key::SimulatedKey;
-use boards::sim::keybed::SimulatedKeybed;
+use boards::sim::{key::SimulatedKey, keybed::SimulatedKeybed};
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::plant::{Gesture, RigParameters, Touch};
 use proptest::prelude::*;
@@ -14,14 +13,12 @@ use scheduler::port::KeyBus as _;
 const PERIOD: f64 = 1e-3;
 const PLAYED: usize = 40;
 
-/// Returns two strokes of different kinds, the second before the first finger is gone.
 fn strokes() -> Vec<Gesture> {
     let stroke =
         |start, release, touch, speed| Gesture { start, release, touch, speed, ..Gesture::USUAL };
     vec![stroke(0.010_3, 0.150, Touch::Pressed, 0.3), stroke(0.170_7, 0.300, Touch::Struck, 1.2)]
 }
 
-/// A light spring against the key, which returns it; weightless at rest.
 fn law(position: f64) -> f64 {
     200.0 * position
 }
@@ -96,7 +93,6 @@ fn a_rehearsal_gives_the_same_bits_as_the_keybed_from_any_tick_on_and_trips_in_t
     check_rehearsal((0..200).map(|tick| (tick, tick < 60)));
 }
 
-/// Asserts equal samples at each tick, with or without forces.
 #[track_caller]
 fn check_rehearsal(ticks: impl Iterator<Item = (u64, bool)>) {
     let (mut bed, mut rehearsed) = (Bed::new(), rehearsed());
@@ -190,7 +186,6 @@ fn a_flipped_bit_is_counted_and_never_moves_a_key() {
 #[test]
 fn a_silent_host_loses_the_motors_within_30_ms_for_good() {
     let mut bed = Bed::new();
-    // The key is held down when the host falls silent.
     bed.exchanges(0..100);
     assert!(1.5 < bed.motor_force());
     bed.silence(100..120);
@@ -261,7 +256,6 @@ fn a_period_that_is_no_time_is_refused() {
     }
 }
 
-/// Every fault at once, a fifth of all frames.
 fn storm(seed: u64) -> FaultPlan {
     let faults = [
         LinkFault::Drop,

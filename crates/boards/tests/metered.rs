@@ -20,7 +20,6 @@ fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
     let lines = keybed.line_reports();
     assert_eq!((lines[1].medium, lines[1].load), (None, None));
     let load = lines[0].load.unwrap();
-    // The same frames by the planner, at the rates that came.
     let statistics = keybed.board_reports()[0].statistics;
     let seconds = load.frames as f64 / load.rate;
     let plan = BusPlan {

@@ -5,19 +5,16 @@
 
 #![forbid(unsafe_code)]
 
-use std::sync::Arc;
-use std::time::Instant;
+use std::{sync::Arc, time::Instant};
 
 use dashboard::{App, Pane, demonstration};
 use eframe::egui;
-use telemetry::recording::OpenError;
-use telemetry::{KeyBlock, Overview, Update};
+use telemetry::{KeyBlock, Overview, Update, recording::OpenError};
 
 /// Measured frames, after some to warm up.
 const FRAMES: usize = 400;
 const WARM: usize = 50;
 
-/// Key whose rows are drawn.
 const KEY: u32 = 39;
 
 fn main() -> Result<(), OpenError> {
@@ -70,7 +67,6 @@ fn frame(ctx: &egui::Context, app: &mut App, i: usize) -> [f64; 2] {
     [drawn, all - drawn]
 }
 
-/// Feeds 32 ticks of a moving key, and an overview in which all keys move.
 fn feed(app: &mut App, chunk: u64) {
     let from = chunk * 32;
     let wave = |tick: u64, period: f64| (tick as f64 / period).sin();

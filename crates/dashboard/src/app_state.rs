@@ -4,22 +4,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
-use telemetry::log::Level;
-use telemetry::source::Ticket;
-use telemetry::stream::Role;
 use telemetry::{
-    Arrival, ConnectionState, Log, Reply, Request, Source, Status, Topic, Update, status,
+    Arrival, ConnectionState, Log, Reply, Request, Source, Status, Topic, Update, log::Level,
+    source::Ticket, status, stream::Role,
 };
 
-use crate::names::LAST;
-use crate::scope::Scope;
-use crate::source_state::SourceState;
-use crate::store::Store;
-use crate::store::condition::Conditions;
-use crate::store::journal::Journal;
 use crate::toast::{Toast, ToastAction, Toasts};
-use crate::tune::Tuner;
-use crate::{WallClock, names};
+use crate::{
+    WallClock, names, names::LAST, scope::Scope, source_state::SourceState, store::Store,
+    store::condition::Conditions, store::journal::Journal, tune::Tuner,
+};
 
 /// Most arrivals taken before each frame, so that a flood does not stop the window.
 const MOST: usize = 20_000;
@@ -73,7 +67,6 @@ impl StopState {
     }
 }
 
-/// State of a request for a board's light.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum LightState {
     Asked,
@@ -103,7 +96,6 @@ pub(crate) struct SharedView {
     pub(crate) shows_help: bool,
 }
 
-/// Shared state of all panels.
 pub(crate) struct AppState {
     pub(crate) source: Box<dyn Source>,
     pub(crate) clock: WallClock,
@@ -114,7 +106,6 @@ pub(crate) struct AppState {
     pub(crate) toasts: Toasts,
     /// `true` between a new connection and the catalogue or status of its run.
     awaits_run: bool,
-    /// States of boards' lights by line and board.
     lights: BTreeMap<(u32, u32), LightState>,
     asked: BTreeMap<Ticket, Purpose>,
     followed: BTreeSet<Topic>,
@@ -141,7 +132,6 @@ impl AppState {
         }
     }
 
-    /// Takes the arrivals since the last frame.
     pub(crate) fn take(&mut self) {
         for _ in 0..MOST {
             let Some(arrival) = self.source.next() else { break };
@@ -194,8 +184,7 @@ impl AppState {
         self.view.recording = None;
     }
 
-    /// Compares the run behind a new connection with the run before. A run that is not known from
-    /// before is a new one.
+    /// Compares the run behind a new connection with the run before; an unknown run is a new one.
     fn recognise_run(&mut self, update: &Update) {
         let before = self.store.catalogue.as_ref().map(|it| it.run.as_str());
         let is_known = if let Update::Catalogue(it) = update {
@@ -264,7 +253,6 @@ impl AppState {
         self.toasts.push(toast, (self.clock)());
     }
 
-    /// Returns the state of the source and of the host behind it.
     pub(crate) fn source_state(&self) -> SourceState {
         SourceState::new(self.source.standing(), self.store.status.as_ref())
     }
@@ -274,7 +262,6 @@ impl AppState {
         self.may(Role::Tuner)
     }
 
-    /// Returns `true` if a host is connected and grants `role`.
     pub(crate) fn may(&self, role: Role) -> bool {
         let is_live = self.source.standing() == ConnectionState::Live;
         is_live && self.source.role().is_none_or(|granted| role <= granted)
@@ -395,7 +382,6 @@ impl AppState {
             .then(|| (self.clock)().saturating_sub(at) as f64 * 1e-9)
     }
 
-    /// Returns the key's name and instrument.
     pub(crate) fn title(&self, key: u8) -> String {
         let played = self.store.voice(key).map(|voice| voice.instrument.as_str());
         match played.filter(|name| !name.is_empty()) {

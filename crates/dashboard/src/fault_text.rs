@@ -2,7 +2,6 @@
 
 use telemetry::event::Kind;
 
-/// Meaning and remedy of a fault.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Explanation {
     pub(crate) name: &'static str,
@@ -53,7 +52,6 @@ pub(crate) const fn fault(code: u8) -> Option<Explanation> {
     Some(Explanation { name, what, advice })
 }
 
-/// Explains an event of a failure or recovery.
 pub(crate) const fn event(kind: Kind) -> Option<Explanation> {
     let (name, what, advice) = match kind {
         Kind::Fault => (

@@ -13,8 +13,7 @@ const STEP: f32 = 8.0;
 /// Magnitudes that are written without a power of ten.
 const PLAIN: std::ops::Range<f64> = 1e-3..1e6;
 
-/// Returns the number of grid lines on a horizontal axis of `points`: as many as have room for
-/// their labels.
+/// Returns the number of grid lines on a horizontal axis of `points`, with room for labels.
 pub(crate) fn lines_across(points: f32) -> f64 {
     f64::from(points / 160.0).clamp(1.0, 4.0)
 }

@@ -5,7 +5,6 @@ use egui_tiles::{Linear, LinearDir, TileId, Tiles, Tree};
 
 use crate::panels::Pane;
 
-/// Tree of tiles with the panels.
 pub(crate) type Layout = Tree<Pane>;
 
 /// Panels above the others.

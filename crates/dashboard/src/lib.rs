@@ -37,8 +37,7 @@ mod triangulate;
 pub mod tune;
 mod unit;
 
-use std::sync::Arc;
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 pub use app::{App, SavedWindow};
 pub use demonstration::demonstration;

@@ -2,10 +2,8 @@
 
 #![forbid(unsafe_code)]
 
-use std::io;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-use std::sync::Arc;
+use std::{io, process::ExitCode, sync::Arc};
 
 use clap::{CommandFactory as _, Parser};
 use clap_complete::aot::{Shell, generate_to};
@@ -104,7 +102,6 @@ fn write_manual(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Returns the remedy for an error of the window system.
 fn sentence(error: &eframe::Error) -> Sentence {
     // The last part is the message; those before are positions in foreign sources.
     let cause = error.to_string();

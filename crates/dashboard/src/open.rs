@@ -1,9 +1,6 @@
 //! Opens a host, a recording, or the demonstration.
 
-use std::fmt;
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::time::Instant;
+use std::{fmt, path::PathBuf, sync::Arc, time::Instant};
 
 use telemetry::Source;
 use telemetry::recording::{Playback, PlaybackClock, Recording};
@@ -18,7 +15,6 @@ pub enum WindowTarget {
     Host {
         /// Address: `host:port` or `ws://…`.
         address: String,
-        /// Token that allows changes.
         token: Option<String>,
         fingerprint: Option<String>,
     },

@@ -64,7 +64,6 @@ impl SourceState {
         }
     }
 
-    /// Returns the text of the pill.
     pub(crate) fn label(&self) -> String {
         match self {
             Self::Connecting => "Connecting".to_owned(),
@@ -124,7 +123,6 @@ impl SourceState {
         }
     }
 
-    /// Returns the reason of a state without a connection.
     pub(crate) fn why_apart(&self) -> Option<&str> {
         if let Self::NoHost(why) | Self::Refused(why) = self { Some(why) } else { None }
     }

@@ -4,15 +4,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
-use std::time::Duration;
+use std::{thread, time::Duration};
 
 use telemetry::source::Ticket;
 use telemetry::stream::Role;
 use telemetry::{Arrival, ConnectionState, Request, Source, Status, Topic, Update};
 
-use crate::RepaintWaker;
-use crate::store::key_summary::KeySummaries;
+use crate::{RepaintWaker, store::key_summary::KeySummaries};
 
 /// Shortest time between two frames.
 const FRAME: Duration = Duration::from_millis(16);
@@ -23,7 +21,6 @@ const SELDOM: Duration = Duration::from_secs(5);
 /// Most arrivals that wait for the window; beyond, the source waits or drops.
 const WAITING: usize = 1 << 16;
 
-/// Command to the source's thread.
 enum SourceCommand {
     Arrived,
     Follow(BTreeSet<Topic>),
@@ -200,7 +197,6 @@ mod tests {
     use super::*;
     use crate::demonstration;
 
-    /// Requested delays of frames.
     type Wakes = Receiver<Duration>;
 
     fn start(time: &Arc<AtomicU64>) -> (SourceThread, Notifier, Wakes) {
@@ -221,7 +217,6 @@ mod tests {
         (thread, notifier.expect("a notifier"), wakes)
     }
 
-    /// Sets the time to `seconds`, notifies, and returns the requested delay of the frame.
     fn at(seconds: f64, time: &AtomicU64, notifier: &Notifier, wakes: &Wakes) -> Duration {
         time.store(crate::number::floor(seconds * 1e9), Ordering::Relaxed);
         assert!(notifier.notify());

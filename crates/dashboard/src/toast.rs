@@ -1,7 +1,6 @@
 //! Messages over the panels. They move no panel, and the log keeps them.
 
-use std::collections::VecDeque;
-use std::time::Duration;
+use std::{collections::VecDeque, time::Duration};
 
 use eframe::egui::{self, Align2, Area, Context, Frame, Id, Label, RichText, Sense, Ui, vec2};
 use telemetry::log::Level;
@@ -14,7 +13,6 @@ const MAX_SHOWN: usize = 5;
 /// Largest width of a message (points).
 const WIDTH: f32 = 380.0;
 
-/// A message in the corner of the window.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Toast {
     pub(crate) text: String,
@@ -23,7 +21,6 @@ pub(crate) struct Toast {
     pub(crate) actions: Vec<(String, ToastAction)>,
 }
 
-/// Action of a message's button.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum ToastAction {
     /// Brings the panel with links and boards to the front.
@@ -90,7 +87,6 @@ impl Toasts {
     }
 }
 
-/// Click on a message.
 enum ToastClick {
     None,
     Dismissed,

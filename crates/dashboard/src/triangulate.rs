@@ -23,7 +23,6 @@ pub(crate) fn is_convex(points: &[ScreenPoint]) -> bool {
     !(left && right) && (0..2).all(|axis| reversals(points, axis) <= 2)
 }
 
-/// Returns the number of reversals along one axis.
 fn reversals(points: &[ScreenPoint], axis: usize) -> usize {
     let next = points.iter().cycle().skip(1);
     let steps = points.iter().zip(next).map(|(from, to)| to[axis] - from[axis]);
@@ -184,7 +183,6 @@ mod tests {
             [3.0, 1.0],
             [1.0, 1.0],
         ]);
-        // Two triangles that meet in a point.
         check(&[[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [2.0, 3.0], [1.0, 1.0], [0.0, 3.0]]);
     }
 

@@ -9,12 +9,10 @@ use telemetry::{
     Overview, Spread, Status, Ticks, Update, Voice,
 };
 
-use crate::common::snapshot::Canvas;
-use crate::common::{Behind, TestClock, source};
+use crate::common::{Behind, TestClock, snapshot::Canvas, source};
 
 const KEY: u32 = 39;
 
-/// Values that no message should contain.
 const ODD: [f64; 4] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300];
 
 fn block(odd: f64, tick: u64) -> Update {

@@ -3,8 +3,7 @@
 use std::time::Duration;
 
 use dashboard::{Pane, SavedWindow};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
+use eframe::egui::{self, Key, Modifiers, PointerButton, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use telemetry::{Catalogue, Model, Request, Signal, Update, signal};
 
@@ -16,7 +15,6 @@ fn near(found: f64, expected: f64, within: f64) -> bool {
     (found - expected).abs() <= within
 }
 
-/// Drags a parameter's slider to `share` of its track.
 fn slide(window: &mut TestWindow, name: &str, share: f32) {
     let slider = window.harness.get_by_role_and_label(Role::Slider, name);
     let track = slider.rect();
@@ -30,7 +28,6 @@ fn write(window: &mut TestWindow, label: &str, text: &str) {
     write_here(window, text);
 }
 
-/// Replaces the text of the focused field by `text`.
 fn write_here(window: &mut TestWindow, text: &str) {
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.type_in(text);
@@ -119,7 +116,6 @@ fn a_step_of_many_keys_says_which() {
 #[test]
 fn a_field_that_is_left_as_it_was_changes_nothing() {
     let mut window = open(Pane::Tuning, Behind::Live);
-    // More digits than the field shows.
     write(&mut window, "hammer mass value", "2.34567");
     let before = window.set(C4, "mh");
     window.click("hammer mass value");
@@ -141,7 +137,6 @@ fn a_value_is_typed_and_taken_back_with_the_keyboard() {
     assert_eq!(window.set(C4, "k_drive").last(), Some(&100_000.0));
 }
 
-/// Returns the text of the field that is called `label`, and the reason for its refusal.
 fn field(window: &TestWindow, label: &str) -> (String, Option<String>) {
     let node = window.harness.get_by_label(label);
     (node.value().unwrap_or_default(), node.accesskit_node().description())
@@ -158,7 +153,6 @@ fn a_refused_text_stays_with_its_reason_and_is_not_sent() {
         write(&mut window, "lever leather value", wrong);
         let expected = (wrong.to_owned(), Some(why.to_owned()));
         assert_eq!(field(&window, "lever leather value"), expected);
-        // Neither does another field take it away.
         window.click("hammer mass value");
         assert_eq!(field(&window, "lever leather value"), expected);
     }
@@ -355,7 +349,6 @@ fn a_stop_that_is_not_confirmed_says_to_cut_the_power() {
         let is_over = |b: &egui::Rect| a.shrink(1.0).intersects(b.shrink(1.0));
         assert!(!rects[i + 1..].iter().any(is_over), "{} is printed over", texts[i]);
     }
-    // A recording has no keys that could have forces.
     let mut window = open(Pane::Log, Behind::Recording);
     window.click_any("STOP");
     assert!(!window.has(title) && window.says("this is a recording"));
@@ -478,7 +471,6 @@ fn a_signal_without_a_unit_has_no_brackets() {
     assert!(!window.says("[]"));
 }
 
-/// Returns the span of values that plot 1 shows.
 fn height(window: &TestWindow) -> f64 {
     window.number("y axis of plot 1")
 }
@@ -491,7 +483,6 @@ fn the_y_axis_is_dragged_and_fits_again() {
     window.drag(axis, axis - vec2(0.0, 80.0), PointerButton::Primary);
     let zoomed = height(&window);
     assert!((0.35..0.65).contains(&(zoomed / all)), "{zoomed} of {all}");
-    // The chosen range stays while time passes.
     window.play_on(3.0, 4.0);
     assert!(near(height(&window), zoomed, 1e-9));
     window.click("Fit y");
@@ -608,7 +599,6 @@ fn the_computer_keyboard_plays_only_when_it_is_asked_to() {
     assert_eq!(window.asked().last(), Some(&Request::Press { key: 31, newtons: 0.0 }));
 }
 
-/// Opens a window whose computer keyboard holds D, which is E3.
 fn holding_a_key() -> TestWindow {
     let mut window = open(Pane::Keyboard, Behind::Live);
     window.click("Computer keyboard plays");

@@ -1,7 +1,6 @@
 //! Scopes and the time line, as a user sees and uses them.
 
-use std::path::Path;
-use std::time::Duration;
+use std::{path::Path, time::Duration};
 
 use dashboard::{App, Pane, demonstration};
 use eframe::egui::epaint::ColorMode;
@@ -9,18 +8,15 @@ use eframe::egui::{
     Color32, Context, Event, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Shape,
     TouchPhase, ViewportId, vec2,
 };
-use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
-use telemetry::event::Kind;
+use egui_kittest::{Harness, kittest::Queryable as _};
 use telemetry::recording::{Playback, Recording, marks};
-use telemetry::{Catalogue, KeyBlock, Model, Signal, Update, Voice, signal};
+use telemetry::{Catalogue, KeyBlock, Model, Signal, Update, Voice, event::Kind, signal};
 
 use crate::common::{Behind, TestClock, TestWindow, open, open_with};
 
 /// Colour of the second curve of a plot on dark ground.
 const ORANGE: Color32 = Color32::from_rgb(0xE6, 0x9F, 0x00);
 
-/// Opens a scope on C4 with a guard that has no values in the middle third of two seconds.
 #[expect(clippy::large_stack_frames, reason = "a window, once")]
 fn torn() -> TestWindow {
     let mut window = open_with(Behind::Live, None, |app| app.show_only(Pane::Scope(0)));
@@ -50,7 +46,6 @@ fn torn() -> TestWindow {
     window
 }
 
-/// Collects the ends of all drawn lines of a colour.
 fn ends(shape: &Shape, color: Color32, found: &mut Vec<(f32, f32)>) {
     if let Shape::Vec(shapes) = shape {
         for shape in shapes {
@@ -82,7 +77,6 @@ fn nothing_is_drawn_through_times_without_values() {
     assert!(window.has("cursor A in plot 2"));
 }
 
-/// Sets cursors, and compares their places in both plots.
 #[track_caller]
 fn check_edges(window: &TestWindow) {
     for cursor in ["A", "B"] {
@@ -167,7 +161,6 @@ fn all_strikes_of_the_take_are_marks() {
     assert!(1 < strikes, "{strikes}");
 }
 
-/// Returns `true` if the window draws another frame by itself.
 fn draws_on(window: &TestWindow) -> bool {
     window.harness.output().viewport_output[&ViewportId::ROOT].repaint_delay < Duration::MAX
 }

@@ -3,10 +3,8 @@
 use dashboard::{App, Pane, SavedWindow};
 use eframe::egui::{Event, Key, Modifiers, Theme};
 
-use crate::common::snapshot::Canvas;
-use crate::common::{Behind, TestClock, source, wrong_description};
+use crate::common::{Behind, TestClock, snapshot::Canvas, source, wrong_description};
 
-/// Returns a canvas after `seconds` of the demonstration.
 fn canvas(
     size: [usize; 2],
     theme: Theme,
@@ -110,7 +108,6 @@ fn scope_of_two_keys() {
     canvas.check("scope_compared");
 }
 
-/// Returns the saved state of a window whose scope compares with E4.
 fn compared(memory: &str) -> SavedWindow {
     let mut memory: serde_json::Value = serde_json::from_str(memory).unwrap_or_default();
     memory["views"]["scopes"] = serde_json::json!({

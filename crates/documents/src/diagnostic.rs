@@ -9,7 +9,6 @@ use crate::escaped;
 /// One mistake with its position and its remedy.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
 pub struct Diagnostic {
-    /// File, or override (`--set name=value`), with the mistake.
     pub file: String,
     /// Line, from 1; `None` for an override or an unreadable file.
     pub line: Option<usize>,

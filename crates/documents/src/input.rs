@@ -1,8 +1,7 @@
 //! Opens input files without waiting forever for a pipe that has no writer.
 
-use std::fs::File;
 use std::io::{self, Read as _};
-use std::path::Path;
+use std::{fs::File, path::Path};
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{CWD, Mode, OFlags, fcntl_setfl, openat};

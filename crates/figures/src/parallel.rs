@@ -1,7 +1,5 @@
-use std::sync::Mutex;
-use std::sync::PoisonError;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+use std::{sync::Mutex, sync::PoisonError, thread};
 
 /// Applies `work` to all jobs on all processors; returns the results in their order.
 pub fn in_parallel<J: Sync, O: Send>(jobs: &[J], work: &(dyn Fn(&J) -> O + Sync)) -> Vec<O> {

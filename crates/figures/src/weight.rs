@@ -124,7 +124,6 @@ fn weighed(
     }
 }
 
-/// Returns a key of `scene` that has come to rest.
 fn still(
     builder: &VoiceBuilder<'_>,
     scene: &Scene,

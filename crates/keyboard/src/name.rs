@@ -1,7 +1,6 @@
 //! Note names in scientific pitch notation: C4 is MIDI note 60.
 
-use core::fmt;
-use core::str::FromStr;
+use core::{fmt, str::FromStr};
 
 use crate::KeyIndex;
 

@@ -1,5 +1,4 @@
-use core::fmt;
-use core::ops::RangeInclusive;
+use core::{fmt, ops::RangeInclusive};
 
 use crate::{KeyIndex, NoteError};
 
@@ -22,7 +21,6 @@ pub enum RangeError<'a> {
 impl KeyRange {
     pub const ALL: Self = Self { first: KeyIndex::LOWEST, last: KeyIndex::HIGHEST };
 
-    /// Returns the keys from `first` to `last`; `None` if `last` is below `first`.
     pub fn new(first: KeyIndex, last: KeyIndex) -> Option<Self> {
         (first <= last).then_some(Self { first, last })
     }
@@ -45,7 +43,6 @@ impl KeyRange {
         self.first.number()..=self.last.number()
     }
 
-    /// Returns the keys in both ranges, if there are any.
     #[must_use]
     pub fn intersection(self, other: Self) -> Option<Self> {
         Self::new(self.first.max(other.first), self.last.min(other.last))

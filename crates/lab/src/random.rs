@@ -5,7 +5,6 @@
 pub struct SeededRandom(u64);
 
 impl SeededRandom {
-    /// Creates the stream of one system.
     pub const fn new(seed: u64, system: u64) -> Self {
         let mut random = Self(seed ^ system.wrapping_mul(0xD134_2543_DE82_EF95));
         random.next();

@@ -11,17 +11,14 @@ use lab::accuracy::{
 };
 use lab::report::{self, Machine, StudyReport, read_peers};
 use mechanism::Library;
-use pode::stepper::Rk4;
-use pode::{Limits, Motion, Silent, Simulator, Work};
+use pode::{Limits, Motion, Silent, Simulator, Work, stepper::Rk4};
 
-/// Every step, without timing.
 const COUNTED: Effort = Effort { repeats: 1, budget: Duration::ZERO, is_quick: false };
 
 fn names(names: &[&str]) -> Vec<String> {
     names.iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// Runs `methods` on `scenarios`.
 fn study(scenarios: &[&str], methods: &[&str], effort: Effort) -> Vec<MeasuredScenario> {
     let choice = StudyChoice::new(&names(scenarios), &names(methods), effort).expect("known names");
     let mut runs = 0;
@@ -204,7 +201,6 @@ fn written(
 
 fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("lab").join(test);
-    // A folder of an earlier run may exist.
     let _none = fs::remove_dir_all(folder.join("report"));
     fs::create_dir_all(&folder).expect("a folder");
     folder

@@ -3,10 +3,9 @@
 //! `cargo run --release -p telemetry --example recording_cost [folder]`
 #![expect(clippy::print_stdout, reason = "it prints what it measures")]
 
-use std::error::Error;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use std::{error::Error, fs};
 
 use rustix::time::{ClockId, clock_gettime};
 use telemetry::recording::{Recorder, Recording, RecordingLimits, RecordingSettings};
@@ -34,7 +33,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Records `seconds` of `keys` keys; returns the cost.
 fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>> {
     let limits = RecordingLimits {
         largest_file: u64::MAX,
@@ -57,7 +55,6 @@ fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>
         let mut updates: Vec<_> =
             (0..keys).map(|key| block(key, tick, *ticks, &mut random)).collect();
         updates.push(Update::Overview(overview(tick, &mut random)));
-        // Count only the recorder's work, not the generation of messages.
         let before = cpu();
         for update in &updates {
             recorder.write(now, update)?;
@@ -73,7 +70,6 @@ fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>
     Ok(format!("{share:.2} % of a core, {size:.1} MB a minute, {} messages", recorded.messages))
 }
 
-/// Opens a long recording, and seeks in it.
 fn open(path: &Path) -> Result<(), Box<dyn Error>> {
     let began = Instant::now();
     let recording = Recording::open(path)?;
@@ -108,7 +104,6 @@ fn beginning(keys: u32) -> Vec<Update> {
     std::iter::once(Update::Catalogue(catalogue)).chain((0..keys).map(voice)).collect()
 }
 
-/// Generates a constantly played key: smooth motion, and noise in the last digits as of sensors.
 fn block(key: u32, tick: u64, ticks: u64, random: &mut Random) -> Update {
     let times: Vec<f64> = (tick..tick + ticks).map(|tick| tick as f64 * 1e-3).collect();
     let count = times.len();
@@ -169,7 +164,6 @@ const fn single(value: f64) -> f32 {
     value as f32
 }
 
-/// Noise from -1 to 1, the same each time.
 struct Random(u64);
 
 impl Random {

@@ -1,8 +1,7 @@
 //! Files with random access.
 
 use std::fs::{self, File};
-use std::io;
-use std::path::Path;
+use std::{io, path::Path};
 
 /// Opens the file `path`; rejects pipes, which would block, and files without a size.
 pub(crate) fn open(path: &Path) -> io::Result<File> {

@@ -27,7 +27,6 @@ pub enum HostState {
 }
 
 impl HostState {
-    /// Returns what it does, in words.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Preparing => "is being prepared",
@@ -157,7 +156,6 @@ pub struct BoardState {
 }
 
 impl BoardState {
-    /// Returns whether it renders forces on all its keys.
     pub fn is_armed(&self) -> bool {
         self.state == "armed"
     }
@@ -174,7 +172,6 @@ pub enum Severity {
 }
 
 impl Board {
-    /// Returns the severity of the board's state.
     pub fn severity(&self) -> Severity {
         if self.state == "armed" && self.muted.is_empty() {
             Severity::Well

@@ -10,7 +10,6 @@ impl KeyBlock {
     /// Bit of `flags`: rows before are missing.
     pub const MISSING: u8 = 8;
 
-    /// Marks that rows before the first one are missing.
     pub fn mark_missing(&mut self) {
         if let Some(flags) = self.flags.first_mut() {
             *flags |= Self::MISSING;

@@ -2,8 +2,7 @@
 
 use keyboard::KeyIndex;
 
-/// Returns the name of `key`, 0 (A0) to 87 (C8), in scientific pitch notation with sharps: `C#4`;
-/// `key 255` for a number beyond the compass.
+/// Returns the name of `key`, 0 (A0) to 87 (C8), with sharps: `C#4`; else `key 255`.
 pub fn key_name(key: u32) -> String {
     let index = u8::try_from(key).ok().and_then(KeyIndex::new);
     index.map_or_else(|| format!("key {key}"), |index| index.to_string())

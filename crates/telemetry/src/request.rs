@@ -19,8 +19,7 @@ pub enum Request {
         instrument: String,
         keys: Option<String>,
     },
-    /// Lets a saved instrument play a range of keys, with the present values of its base instead of
-    /// those that it was saved with.
+    /// Lets a saved instrument play a range of keys, with the present values of its base.
     FollowBase {
         /// Name or file of the instrument.
         instrument: String,
@@ -82,10 +81,7 @@ pub enum Request {
     /// Asks for the status of the host.
     Status {},
     /// Begins a recording, or ends it.
-    Record {
-        /// File of the recording; `None` ends it.
-        file: Option<String>,
-    },
+    Record { file: Option<String> },
 }
 
 /// A new value of a parameter.
@@ -119,12 +115,10 @@ pub struct RenderSetting {
 }
 
 impl Change {
-    /// Returns the parameter's name on the stream: `/key/<n>/<parameter>`.
     pub fn name(&self) -> String {
         format!("/key/{}/{}", self.key, self.parameter)
     }
 
-    /// Returns the change of the stream's parameter `name`, if its key exists.
     pub fn named(name: &str, value: f64) -> Option<Self> {
         let (key, parameter) = name.strip_prefix("/key/")?.split_once('/')?;
         let key = key.parse().ok().filter(|key| usize::from(*key) < crate::KEYS)?;

@@ -1,10 +1,8 @@
 //! Source of a window's data: a live host, or a recording.
 
-use std::collections::BTreeSet;
-use std::fmt;
+use std::{collections::BTreeSet, fmt};
 
-use crate::role::Role;
-use crate::{Reply, Request, Topic, Update};
+use crate::{Reply, Request, Topic, Update, role::Role};
 
 /// Number of a request, which its reply carries.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -15,7 +13,6 @@ pub struct Ticket(pub u64);
 pub enum Arrival {
     /// A message, and when it was made (ns since 1970).
     Update { at: u64, update: Box<Update> },
-    /// The answer to a request.
     Reply {
         ticket: Ticket,
         /// The reply, or an error as a sentence.
@@ -51,7 +48,6 @@ pub trait Source: fmt::Debug {
 
     fn standing(&self) -> ConnectionState;
 
-    /// Returns the address or file to display.
     fn name(&self) -> String;
 
     /// Returns the rights that a host granted; `None` without a connection.
@@ -59,7 +55,6 @@ pub trait Source: fmt::Debug {
         None
     }
 
-    /// Returns the timeline, if the time can be chosen.
     fn timeline(&mut self) -> Option<&mut dyn Timeline> {
         None
     }

@@ -149,7 +149,6 @@ pub enum Update {
 }
 
 impl Update {
-    /// Returns its topic; `None` if its key is not one of the 88.
     pub fn topic(&self) -> Option<Topic> {
         let is_key = |key: u8| usize::from(key) < KEYS;
         match self {

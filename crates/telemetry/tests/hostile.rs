@@ -1,8 +1,7 @@
 //! A good client is served, whatever arrives by the network.
 
-use std::io::Write as _;
-use std::net::TcpStream;
 use std::time::{Duration, Instant};
+use std::{io::Write as _, net::TcpStream};
 
 use telemetry::stream::protocol::{
     ClientFrame, FromClient, FromServer, Level, ParameterValue, Subscription, Text as _, channel_id,
@@ -15,7 +14,6 @@ use tokio_tungstenite::tungstenite::{Error, Message};
 use crate::test_server::synthetic::{self, KEY};
 use crate::test_server::{RawClient, TestServer, Watcher, eventually, set};
 
-/// A good client and its host.
 struct Scene {
     test_server: TestServer,
     good: Watcher,
@@ -38,7 +36,6 @@ impl Scene {
         Self::on(TestServer::within(limits))
     }
 
-    /// Asserts that the good client sets a value and gets a message.
     #[track_caller]
     fn is_served(&mut self) {
         self.count += 1;
@@ -51,7 +48,6 @@ impl Scene {
     }
 }
 
-/// Reproducible random numbers.
 struct Dice(u64);
 
 impl Dice {
@@ -102,7 +98,6 @@ fn random_bytes_where_tls_is_spoken() {
     }
 }
 
-/// Returns valid texts of the protocol, to be corrupted.
 fn texts() -> Vec<String> {
     let parameters =
         vec![ParameterValue::new("/key/39/k2", 1.0), ParameterValue::new("/key/39/m", 0.5)];
@@ -162,7 +157,6 @@ fn random_messages() {
             raw_client.socket.send(message).expect("no client is cut for talking nonsense");
         }
         scene.is_served();
-        // The server still answers a client that sent nonsense.
         raw_client.say(&FromClient::GetParameters {
             parameter_names: vec![],
             id: Some("sense".to_owned()),
@@ -222,7 +216,6 @@ fn a_flood_of_which_nothing_is_read() {
         }
         scene.is_served();
     }
-    // A client that is cut releases its keys.
     eventually("the host hears of all three", || scene.test_server.host.gone().len() == 3);
 }
 
@@ -254,14 +247,12 @@ fn secret(role: Role) -> String {
     format!("{}-0123456789abcdef", role.name())
 }
 
-/// Starts a server that admits viewers and owners by their secrets.
 fn guarded(limits: ServerLimits) -> TestServer {
     let token = |role| Token { secret: secret(role), role };
     let tokens = vec![token(Role::Viewer), token(Role::Owner)];
     TestServer::with(ServerSettings { tokens, limits, ..ServerSettings::default() })
 }
 
-/// Connects with a `secret`, or fails with the status of the rejection.
 fn knock(test_server: &TestServer, secret: &str) -> Result<RawClient, u16> {
     let bearer = format!("Bearer {secret}");
     let knocked = RawClient::connect(test_server.address, "/", &[("Authorization", &bearer)]);
@@ -334,7 +325,6 @@ fn messages_that_are_too_large() {
     let _either = raw_client.socket.send(Message::text(large));
     while raw_client.hear().is_ok() {}
     scene.is_served();
-
     let mut raw_client = scene.test_server.raw_client();
     // The frame announces a length of eight exabytes.
     let header = [0x82, 0xff, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0];

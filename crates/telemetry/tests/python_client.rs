@@ -1,11 +1,9 @@
 //! A client in another language, which shares no code with ours, works with the server.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::{io::Write as _, sync::Arc, time::Duration};
 
 use telemetry::stream::Publisher;
 
@@ -13,7 +11,6 @@ use crate::test_server::{TestServer, synthetic};
 
 const PACKAGES: [&str; 2] = ["protobuf>=5", "websockets>=14"];
 
-/// Returns a Python with these packages, made once in the target folder, or why there is none.
 fn python() -> Result<PathBuf, String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stream-python");
     let python = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
@@ -30,7 +27,6 @@ fn python() -> Result<PathBuf, String> {
     Ok(python)
 }
 
-/// Returns the output of a program, or why it failed.
 fn run(command: &mut Command) -> Result<String, String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let Output { status, stdout, stderr } =
@@ -42,7 +38,6 @@ fn run(command: &mut Command) -> Result<String, String> {
     Err(format!("{name} ended with {status}: {stdout}{stderr}"))
 }
 
-/// Publishes blocks until `is_over`.
 fn publish(publisher: &Publisher, is_over: &AtomicBool) {
     let mut tick = 0;
     while !is_over.load(Ordering::Relaxed) {

@@ -9,10 +9,8 @@ use telemetry::{KEYS, Update};
 
 use crate::common::{at, block, performance, record, unrecorded};
 
-/// Packages of the script, at tried versions.
 const PACKAGES: [&str; 2] = ["mcap==1.6.0", "mcap-protobuf-support==0.6.0"];
 
-/// Runs `command`; the error contains the reason.
 fn run(command: &mut Command) -> Result<String, String> {
     let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
     if output.status.success() {
@@ -21,7 +19,6 @@ fn run(command: &mut Command) -> Result<String, String> {
     Err(format!("{command:?}: {}", String::from_utf8_lossy(&output.stderr)))
 }
 
-/// Returns a Python with the packages, made once for all runs of the tests.
 fn python() -> Result<PathBuf, String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("python-mcap");
     let python = folder.join("bin/python3");
@@ -76,7 +73,6 @@ fn check(found: &Value, told: &[(u64, Update)]) {
     let strikes: Vec<_> =
         (0..20).map(|strike| json!([strike * 100, bits(0.1 + 0.2), 39, 1.25])).collect();
     assert_eq!(found["strikes"], json!(strikes));
-
     let blocks = || (0..2000).step_by(20).map(|tick| (at(tick + 20), block(39, tick)));
     let (mut positions, mut signals) = (Vec::new(), Vec::new());
     for (when, update) in blocks() {

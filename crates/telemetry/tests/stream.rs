@@ -53,7 +53,6 @@ fn whoever_comes_late_gets_the_catalogue_and_the_last_voice_of_every_key() {
     watcher.update(|update| (update == synthetic::catalogue()).then_some(()));
     watcher.update(|update| (update == synthetic::voice(39, 2)).then_some(()));
     watcher.update(|update| (update == synthetic::voice(40, 3)).then_some(()));
-    // Later messages arrive, too.
     test_server.publisher.publish(3, &synthetic::voice(39, 4));
     let update = watcher.update(Some);
     assert_eq!(update, synthetic::voice(39, 4));
@@ -113,7 +112,6 @@ fn a_set_is_acknowledged_and_seen_by_others() {
         before,
         [ParameterValue::new("/key/39/k2", 500.0), ParameterValue::new("/key/39/m", 0.1)]
     );
-
     let mut watcher = test_server.watcher();
     let changes = vec![set("k2", 700.5), set("m", 0.3)];
     assert_eq!(watcher.ask(Request::Set { changes }), Ok(done("2 set")));
@@ -198,7 +196,6 @@ fn a_stop_overtakes_what_takes_long() {
     assert_eq!(watcher.reply(slow), Ok(done("every key is played by grand")));
 }
 
-/// A host that panics on requests.
 struct Fragile;
 
 impl Backend for Fragile {
@@ -326,13 +323,11 @@ fn beyond_this_machine_only_with_token_and_tls() {
     );
 }
 
-/// Messages to the slow client with their rows of 28 bytes each: more than any buffer of the system
-/// holds.
+/// Messages to the slow client, of rows of 28 bytes: more than any buffer of the system.
 const MESSAGES: u64 = 4000;
 const ROWS: u32 = 500;
 
-/// Reads messages of the only subscription until tick `last`; returns the counts of read and
-/// dropped ones.
+/// Reads messages of the only subscription until tick `last`; counts read and dropped ones.
 fn read_until(raw_client: &mut RawClient, last: u64) -> (u64, u64) {
     let (mut came, mut dropped) = (0, 0);
     let mut is_last = false;
@@ -380,7 +375,6 @@ fn a_slow_client_loses_data_and_a_fast_one_nothing() {
     let mut fast = test_server.watcher();
     fast.follow(&[Topic::Block(KEY), Topic::Overview]);
     eventually("both follow", || test_server.publisher.is_followed(Topic::Overview));
-
     for tick in 1..=MESSAGES {
         test_server.publisher.publish(tick, &synthetic::block(tick, ROWS));
         // A client that reads each message before the next is made loses none.
@@ -401,7 +395,6 @@ fn publishing_waits_for_nobody() {
     let test_server = TestServer::new();
     let mut watcher = test_server.watcher();
     test_server.meet(&mut watcher);
-    // The server's only thread is blocked.
     let (go_on, held) = std::sync::mpsc::channel::<()>();
     let (stand, stands) = std::sync::mpsc::channel();
     test_server.runtime.spawn(async move {

@@ -2,14 +2,12 @@
 
 use std::process::Command;
 
-use crate::command;
-use crate::error::Error;
 use crate::needs::{self, has_program, succeeds};
+use crate::{command, error::Error};
 
 /// Wait for another package manager before giving up (s).
 const LOCK_TIMEOUT: &str = "DPkg::Lock::Timeout=120";
 
-/// Installs what the build needs and this system lacks.
 pub(crate) fn install_missing() -> Result<(), Error> {
     let needs = needs::missing();
     if needs.is_empty() {

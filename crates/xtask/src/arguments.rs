@@ -2,13 +2,10 @@
 
 use std::ffi::OsString;
 
-use crate::bench::BaselineUse;
-use crate::dist;
-use crate::error::Error;
-use crate::fuzz::FuzzOptions;
-use crate::guest_boards::CheckScope;
-use crate::peers::PeerOptions;
-use crate::test::TestScope;
+use crate::{
+    bench::BaselineUse, dist, error::Error, fuzz::FuzzOptions, guest_boards::CheckScope,
+    peers::PeerOptions, test::TestScope,
+};
 
 pub(crate) const USAGE: &str = "\
 Chores of this workspace.
@@ -79,7 +76,6 @@ const CERTIFICATES: &[&str] = &["--package", "letoff", "--example", "certificate
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Task {
     Demo {
-        /// Arguments of `letoff run`.
         forwarded: Vec<OsString>,
     },
     Test(TestScope),

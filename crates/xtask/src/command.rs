@@ -1,9 +1,8 @@
 //! Prints, runs and becomes other programs.
 
-use std::env;
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::{env, ffi::OsStr};
 
 use crate::error::Error;
 

@@ -3,10 +3,8 @@
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
-use crate::apt;
 use crate::command::{self, cargo, target};
-use crate::error::Error;
-use crate::files;
+use crate::{apt, error::Error, files};
 
 /// Default duration (s).
 const DURATION: &str = "30";

@@ -1,13 +1,9 @@
 //! Errors of chores, each a sentence with a remedy.
 
-use std::fmt;
-use std::io;
-use std::path::PathBuf;
-use std::process::ExitCode;
+use std::{fmt, io, path::PathBuf, process::ExitCode};
 
 use crate::needs::{self, Need};
 
-/// Error of a chore.
 #[derive(Debug)]
 pub(crate) enum Error {
     /// An argument is not understood.

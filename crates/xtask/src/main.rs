@@ -27,8 +27,7 @@ mod stage;
 mod test;
 mod tools;
 
-use std::env;
-use std::process::ExitCode;
+use std::{env, process::ExitCode};
 
 use arguments::{Task, USAGE};
 use error::Error;

@@ -1,8 +1,7 @@
 //! System libraries and tools that the build needs.
 
-use std::env;
-use std::path::Path;
 use std::process::{Command, Stdio};
+use std::{env, path::Path};
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Need {

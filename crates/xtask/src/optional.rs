@@ -2,11 +2,8 @@
 
 use std::process::Command;
 
-use crate::apt;
-use crate::command;
-use crate::guest_boards;
-use crate::needs::has_program;
 use crate::tools::{self, Tool};
+use crate::{apt, command, guest_boards, needs::has_program};
 
 /// Tools for firmware on an emulated microcontroller.
 const FIRMWARE: [Tool; 3] = [

@@ -1,13 +1,9 @@
 //! Compares derived equations of motion with those of other programs, which are installed first.
 
-use std::path::PathBuf;
-use std::process::Command;
+use std::{path::PathBuf, process::Command};
 
-use crate::apt;
 use crate::command::{self, cargo, root};
-use crate::error::Error;
-use crate::peers;
-use crate::stage::Done;
+use crate::{apt, error::Error, peers, stage::Done};
 
 /// Variable with a Python with SymPy and `MuJoCo`, for the tests of `mechanism::kane`.
 const PYTHON: &str = "LETOFF_ORACLE_PYTHON";

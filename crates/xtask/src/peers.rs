@@ -1,14 +1,10 @@
 //! The peers bench: installs other people's solvers, builds, and runs all side by side. Missing
 //! peers are skipped, and the report names them.
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::{ffi::OsString, process::Command};
 
-use crate::apt;
-use crate::command;
-use crate::error::Error;
-use crate::needs::succeeds;
+use crate::{apt, command, error::Error, needs::succeeds};
 
 /// Folder of the bench, from the workspace's root.
 const BENCH: &str = "benches/peers";

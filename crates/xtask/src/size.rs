@@ -3,29 +3,21 @@
 //! Every line of a tracked `.rs` counts, as rustfmt leaves it. Product is everything outside
 //! `tests/`, `benches/`, `examples/` and `fuzz/`, without inline test modules.
 
-use std::cmp::Reverse;
-use std::collections::BTreeMap;
 use std::io::{self, Write as _};
-use std::path::Path;
-use std::process::Command;
+use std::{cmp::Reverse, collections::BTreeMap, path::Path, process::Command};
 
-use crate::command::root;
-use crate::error::Error;
-use crate::files;
+use crate::{command::root, error::Error, files};
 
 /// Folders that are not product, anywhere.
 const OTHER: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
 
-/// Number of structs and traits to print.
 const SHOWN: usize = 10;
 
 /// Largest number of fields of a struct, and of methods of a trait, provided ones included.
 const MAX_MEMBERS: [usize; 2] = [15, 7];
 
-/// File with the allowed number of lines.
 const ALLOWANCE: &str = "tests/size.toml";
 
-/// Lines of Rust by purpose.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 struct RustLines {
     product: usize,
@@ -135,7 +127,6 @@ impl ProjectSize {
     }
 }
 
-/// Returns the lines of a file, without inline modules for tests.
 fn product_lines(text: &str) -> Vec<&str> {
     let mut lines = Vec::new();
     let mut rest = text.lines().peekable();

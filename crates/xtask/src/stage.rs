@@ -1,11 +1,9 @@
 //! Runs stages one after the other, times them, and prints a summary.
 
-use std::fmt;
-use std::process::Command;
 use std::time::{Duration, Instant};
+use std::{fmt, process::Command};
 
-use crate::command;
-use crate::error::Error;
+use crate::{command, error::Error};
 
 #[derive(Debug)]
 pub(crate) struct Stage {

@@ -1,18 +1,11 @@
 //! Runs all tests in stages, fast proofs first; emulated machines separately.
 
-use std::ffi::OsString;
-use std::path::Path;
-use std::process::Command;
+use std::{ffi::OsString, path::Path, process::Command};
 
-use crate::apt;
 use crate::command::{cargo, root, target};
-use crate::error::Error;
-use crate::guest::TriedProgram;
 use crate::guest_boards::{self, CheckScope};
-use crate::guest_midi;
-use crate::optional;
-use crate::oracle;
 use crate::stage::{self, Stage, StageWork};
+use crate::{apt, error::Error, guest::TriedProgram, guest_midi, optional, oracle};
 
 /// Variable with proptest's seed.
 const SEED_NAME: &str = "PROPTEST_RNG_SEED";
@@ -42,7 +35,6 @@ const FIRMWARE: [&str; 3] = ["--workspace", "--test=firmware", "--test=mcu"];
 const WITH_FIRMWARE: [&str; 5] =
     ["--workspace", "--test=boards", "--", "cortex::", "conformance::the_reference_firmware"];
 
-/// The tests that are run.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum TestScope {
     ThisMachine,
@@ -124,7 +116,6 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
     ]
 }
 
-/// Returns the stages with emulated machines, for tests of `program`.
 fn machines(program: &Path) -> Vec<Stage> {
     let chore = |name, chore| Stage { name, work: StageWork::Chore(chore), skipped: None };
     vec![

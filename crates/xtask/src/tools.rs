@@ -3,13 +3,11 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use crate::apt;
-use crate::error::Error;
+use crate::{apt, error::Error};
 
 /// A program or file path, with its package in Debian and Ubuntu.
 pub(crate) type Tool = (&'static str, &'static str);
 
-/// Programs for every guest.
 pub(crate) const MAKERS: [Tool; 6] = [
     ("qemu-system-x86_64", "qemu-system-x86"),
     ("busybox", "busybox-static"),

@@ -1,8 +1,7 @@
 //! Motor gain, measured by a weight that the motor balances.
 
-use super::key_push::KeyPush;
 use super::trip::{AWAY, BACK, RATE};
-use super::{CalibrationFault, G, Next, Rested, Travelled};
+use super::{CalibrationFault, G, Next, Rested, Travelled, key_push::KeyPush};
 
 /// Time at rest after which a key has reached its end (s).
 const SETTLED: f64 = 0.2;

@@ -66,7 +66,6 @@ pub fn calibrated(
     }
 }
 
-/// Returns the record of a calibration for the board whose `slot` the key is in.
 pub fn record(slot: u8, key: &KeyCalibration) -> wire::KeyCalibration {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     let gain_permille = (1e3 / key.gain).round() as u16;

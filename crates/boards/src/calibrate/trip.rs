@@ -1,7 +1,6 @@
 //! The trip of a key down to the bottom and up again.
 
-use super::key_push::KeyPush;
-use super::{CalibrationFault, MOST_PUSH, Next, Rested, TRAVELS};
+use super::{CalibrationFault, MOST_PUSH, Next, Rested, TRAVELS, key_push::KeyPush};
 
 /// Rate of the push (N/s).
 pub(super) const RATE: f64 = 0.3;

@@ -2,16 +2,12 @@
 
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::arm::{Arm, Disarmed, FADE_MS, SHORTEST_VALID_MS};
-use firmware_protocol::acyclic::counters::Counters;
-use firmware_protocol::acyclic::{Operation, Status};
-use firmware_protocol::frame::Header;
+use firmware_protocol::acyclic::{Operation, Status, counters::Counters};
 use firmware_protocol::frame::hello::{Hello, safe_reason};
-use firmware_protocol::frame::key_samples::KeySamples;
+use firmware_protocol::frame::{Header, key_samples::KeySamples};
 
-use super::tested_board::TimedSamples;
-use super::{ConformanceItem, MOST_FORCE_MN, TestedBoard};
-use crate::refusal::reason_words;
-use crate::untaken::UntakenForces;
+use super::{ConformanceItem, MOST_FORCE_MN, TestedBoard, tested_board::TimedSamples};
+use crate::{refusal::reason_words, untaken::UntakenForces};
 
 /// Validity of forces in these trials (ms): the longest, since this machine may be busy.
 const VALID_MS: u8 = firmware_protocol::acyclic::arm::LONGEST_VALID_MS;

@@ -1,15 +1,12 @@
 //! Trials of the hello, of the time of answers, and of requests that must be refused.
 
-use firmware_protocol::acyclic::arm::Disarmed;
 use firmware_protocol::acyclic::config::{self, Config, ReadConfig, setting};
-use firmware_protocol::acyclic::ping::Pong;
-use firmware_protocol::acyclic::{ANSWER_MS, Operation, Status};
+use firmware_protocol::acyclic::{ANSWER_MS, Operation, Status, arm::Disarmed, ping::Pong};
 use firmware_protocol::frame::hello::{Hello, Introduction};
 use firmware_protocol::{Nothing, Record as _, schema};
 
 use super::{ConformanceItem, TestedBoard};
-use crate::hello_values::impossible_values;
-use crate::identity::ClaimedKeys;
+use crate::{hello_values::impossible_values, identity::ClaimedKeys};
 
 const PINGS: usize = 50;
 /// An operation of no version.

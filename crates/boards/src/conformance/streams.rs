@@ -1,16 +1,10 @@
 //! Trials of rate, numbers, times and age of samples, and of the clock.
 
-use firmware_protocol::Nothing;
-use firmware_protocol::acyclic::Operation;
-use firmware_protocol::acyclic::arm::VALID_MS;
-use firmware_protocol::acyclic::ping::Pong;
-use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::frame::hello::Hello;
-use firmware_protocol::frame::key_samples::SamplePacking;
-use firmware_protocol::sequence::FrameOrder;
+use firmware_protocol::acyclic::{Operation, arm::VALID_MS, ping::Pong, stream::Stream};
+use firmware_protocol::frame::{hello::Hello, key_samples::SamplePacking};
+use firmware_protocol::{Nothing, sequence::FrameOrder};
 
-use super::tested_board::TimedSamples;
-use super::{ConformanceItem, TestedBoard};
+use super::{ConformanceItem, TestedBoard, tested_board::TimedSamples};
 use crate::clock::{ClockModel, MOST_DRIFT};
 
 /// Highest rate of samples (1/s).

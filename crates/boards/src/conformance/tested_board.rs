@@ -1,16 +1,14 @@
 //! A board under test: one request and its answer; samples, and forces that answer them.
 
-use std::collections::BTreeMap;
-use std::time::Duration;
+use std::{collections::BTreeMap, time::Duration};
 
 use crate::links::{HostClock, Link, RecvError};
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::{AcyclicReply, Operation, Status};
 use firmware_protocol::frame::broadcast::{self, Broadcast};
-use firmware_protocol::frame::hello::Introduction;
 use firmware_protocol::frame::key_forces::{self, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
-use firmware_protocol::frame::{FrameKind, Header, board_of};
+use firmware_protocol::frame::{FrameKind, Header, board_of, hello::Introduction};
 use firmware_protocol::key::{BoardId, PerKey};
 use firmware_protocol::quantity::Millinewtons;
 use firmware_protocol::version::PROTOCOL_VERSION;
@@ -200,8 +198,7 @@ impl<'l> TestedBoard<'l> {
         A::take(&reply.record).ok_or_else(short)
     }
 
-    /// Sends a damaged request; returns `true` if it is answered, `None` on a link without
-    /// checksums of the host.
+    /// Sends a damaged request; returns `true` if answered, `None` without checksums of the host.
     pub(super) fn answers_damaged(&mut self) -> Option<bool> {
         let mut request = self.request(Operation::Ping as u8, &[]);
         request[1] = 0x15;

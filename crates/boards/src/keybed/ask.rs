@@ -2,8 +2,7 @@
 
 use crate::links::Link as _;
 use firmware_protocol::acyclic::{AcyclicReply, Operation, Status};
-use firmware_protocol::key::BoardId;
-use firmware_protocol::{MAX_FRAME, Nothing, Record};
+use firmware_protocol::{MAX_FRAME, Nothing, Record, key::BoardId};
 
 use super::{Keybed, LOOK, NamedLink};
 use crate::refusal::{BoardName, Refusal};

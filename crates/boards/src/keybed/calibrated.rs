@@ -1,18 +1,14 @@
 //! The stage of known and measured boards, which can be armed.
 
 use crate::links::{Link as _, RecvError};
-use firmware_protocol::acyclic::Operation;
-use firmware_protocol::acyclic::ping::Pong;
-use firmware_protocol::frame::hello::feature;
-use firmware_protocol::{MAX_FRAME, Nothing};
+use firmware_protocol::acyclic::{Operation, ping::Pong};
+use firmware_protocol::{MAX_FRAME, Nothing, frame::hello::feature};
 use keyboard::KeyRange;
 
 use super::{Armed, Keybed, LOOK, NamedLink, faults};
 use crate::refusal::{BoardName, Refusals};
-use crate::rt::board::BoardTerms;
-use crate::rt::board_supervisor::BoardSupervisor;
-use crate::rt::bus::KeybedBus;
 use crate::rt::terms::{BoardAgreement, Terms};
+use crate::rt::{board::BoardTerms, board_supervisor::BoardSupervisor, bus::KeybedBus};
 use crate::topology::BoardPlace;
 
 /// Boards that are known and measured.

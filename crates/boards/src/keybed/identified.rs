@@ -70,7 +70,6 @@ impl Keybed<Identified> {
         &self.stage.found
     }
 
-    /// Drops the boards that are not among those that `are_wanted`.
     pub fn keep(&mut self, are_wanted: impl FnMut(&FoundBoard) -> bool) {
         self.stage.found.retain(are_wanted);
     }

@@ -27,8 +27,7 @@ pub use crate::rt::terms::Terms;
 
 use crate::links::{HostClock, Link};
 
-use crate::plan::Medium;
-use crate::refusal::Refusal;
+use crate::{plan::Medium, refusal::Refusal};
 
 /// Boards on their lines, in one stage of the bring-up.
 #[derive(Debug)]

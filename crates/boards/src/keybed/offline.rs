@@ -3,13 +3,10 @@
 use std::collections::BTreeMap;
 
 use crate::links::{HostClock, Link as _, RecvError};
-use firmware_protocol::MAX_FRAME;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::{Hello, Introduction};
 use firmware_protocol::frame::{DecodeError, FrameKind};
-use firmware_protocol::key::BoardId;
-use firmware_protocol::schema;
-use firmware_protocol::version::PROTOCOL_VERSION;
+use firmware_protocol::{MAX_FRAME, key::BoardId, schema, version::PROTOCOL_VERSION};
 
 use super::{FoundBoard, Identified, Keybed, LOOK, NamedLink, faults};
 use crate::identity::Uid;
@@ -24,7 +21,6 @@ const QUIET_US: u64 = 300_000;
 pub struct Offline;
 
 impl Keybed<Offline> {
-    /// Returns the boards behind the open `lines`, for a host with this `clock`.
     pub const fn new(lines: Vec<NamedLink>, clock: HostClock) -> Self {
         Self { lines, stage: Offline, clock }
     }

@@ -85,8 +85,7 @@ impl Address {
         if rest.trim().is_empty() { Err(unknown()) } else { Ok(Self::new(kind, place, baud)) }
     }
 
-    /// Returns the address of the trimmed `place`. `baud` counts only if addresses of this kind
-    /// have one.
+    /// Returns the address of the trimmed `place`; ignores a `baud` that this kind does not have.
     pub fn new(kind: &'static BoardLinkKind, place: &str, baud: Option<u32>) -> Self {
         let baud = kind.baud.map(|usual| baud.unwrap_or(usual));
         Self { kind, place: place.trim().to_owned(), baud }

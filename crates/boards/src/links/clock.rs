@@ -1,8 +1,7 @@
 //! The host's time: the machine's, or a virtual one that passes only while the host waits.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 use crate::links::pause;
 

@@ -1,5 +1,4 @@
-use std::io;
-use std::path::PathBuf;
+use std::{io, path::PathBuf};
 
 use crate::links::trouble::{CanTrouble, PortTrouble, ProgramTrouble};
 

@@ -3,8 +3,7 @@
 
 use std::ops::Range;
 
-use super::random::Random;
-use super::{Link, QueuedFrame, RecvError, SendError};
+use super::{Link, QueuedFrame, RecvError, SendError, random::Random};
 
 /// Maximum number of delayed frames in each direction; more are dropped.
 const MAX_DELAYED: usize = 32;
@@ -157,12 +156,10 @@ impl Faults {
         }
     }
 
-    /// Delays a received frame, or drops it without room.
     fn hold_received(&mut self, due: u64, queued: QueuedFrame) {
         self.counts.dropped += u64::from(!self.received.hold(due, queued));
     }
 
-    /// Delays a frame to be sent, or drops it without room.
     fn hold_sent(&mut self, due: u64, queued: QueuedFrame) {
         self.counts.dropped += u64::from(!self.sent.hold(due, queued));
     }

@@ -136,7 +136,6 @@ pub enum SendError {
     },
     /// There is no room: earlier frames are still on their way.
     Full,
-    /// The other end is disconnected.
     Down,
 }
 
@@ -148,10 +147,8 @@ pub enum RecvError {
         /// Length of the frame (bytes).
         len: usize,
     },
-    /// The received bytes were no frame: checksum, stuffing, length, a lost piece, or a wrong
-    /// identifier.
+    /// The bytes were no frame: checksum, stuffing, length, a lost piece, or a wrong identifier.
     Corrupt,
-    /// The other end is disconnected.
     Down,
 }
 

@@ -1,5 +1,4 @@
-use std::fmt;
-use std::path::PathBuf;
+use std::{fmt, path::PathBuf};
 
 /// Reason why an existing device cannot be used; a sentence when displayed.
 #[derive(Clone, PartialEq, Eq, Debug)]

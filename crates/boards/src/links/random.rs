@@ -11,7 +11,6 @@ impl Random {
         z ^ z >> 31
     }
 
-    /// Returns a number in `0 .. 1`.
     pub fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }

@@ -1,15 +1,13 @@
 //! A link that is reopened when it goes down, as after a cable was unplugged and replugged. A
 //! separate thread does the slow opening and closing; the tick's side only polls a ring.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 use rtrb::{Consumer, Producer, RingBuffer};
 
 use super::{Health, Link, RecvError, SendError};
-use crate::links::Error;
-use crate::links::pause;
+use crate::links::{Error, pause};
 
 type AnyLink = Box<dyn Link + Send>;
 
@@ -30,7 +28,6 @@ pub struct ReconnectingLink {
 #[derive(Debug, Default)]
 struct ReconnectState {
     wanted: AtomicBool,
-    /// `true` if the owner is gone.
     over: AtomicBool,
 }
 
@@ -155,7 +152,6 @@ mod tests {
     use super::*;
     use std::sync::atomic::AtomicU32;
 
-    /// A link that fails after some frames.
     struct Brief(u32);
 
     impl Link for Brief {
@@ -179,7 +175,6 @@ mod tests {
         let its_attempts = Arc::clone(&attempts);
         let open = move || {
             let attempt = its_attempts.fetch_add(1, Ordering::Relaxed);
-            // At the second attempt it is still unplugged.
             if attempt == 1 {
                 Err(Error::Pty(std::io::ErrorKind::NotFound.into()))
             } else {

@@ -1,8 +1,6 @@
 //! Reasons why a link cannot be used: the fault and its remedy.
 
-use std::io;
-use std::path::PathBuf;
-use std::process::ExitStatus;
+use std::{io, path::PathBuf, process::ExitStatus};
 
 use crate::links::obstacle::Obstacle;
 
@@ -11,7 +9,6 @@ use crate::links::obstacle::Obstacle;
 pub enum PortTrouble {
     #[error("it is not there; plug the board in, `letoff devices` lists the ports there are")]
     Missing,
-    /// The user has no rights on it.
     #[error("{0}")]
     Forbidden(Obstacle),
     /// The user has no rights, for an unknown reason.
@@ -36,11 +33,7 @@ pub enum CanTrouble {
     #[error("{0}")]
     Down(Obstacle),
     #[error("it is not set up for CAN FD (MTU 16); do that: {command}; or use classic CAN")]
-    NoFd {
-        /// Command that sets it up.
-        command: String,
-    },
-    /// The process has no rights.
+    NoFd { command: String },
     #[error(
         "this process may not open CAN sockets; a container or a security policy keeps it from \
          the address family AF_CAN: allow it there, or run outside"

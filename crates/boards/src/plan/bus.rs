@@ -1,18 +1,14 @@
 //! Boards on one bus, and their share of its time.
 
-use std::ops::Range;
-use std::slice;
+use std::{ops::Range, slice};
 
 use firmware_protocol::Record as _;
-use firmware_protocol::acyclic::counters::Counters;
-use firmware_protocol::acyclic::ping::Pong;
-use firmware_protocol::acyclic::{REPLY_HEAD, REQUEST_HEAD};
+use firmware_protocol::acyclic::{REPLY_HEAD, REQUEST_HEAD, counters::Counters, ping::Pong};
 use firmware_protocol::frame::multicast_forces::{self, GROUP, GROUPS};
 use keyboard::KeyRange;
 
-use super::can::Stuffing;
 use super::response::{Periodic, worst_response};
-use super::{ForcePacking, Medium, SamplePacking};
+use super::{ForcePacking, Medium, SamplePacking, can::Stuffing};
 use crate::periods::{COUNTERS_US, HEALTH_US, PING_US, SYNC_US};
 use crate::topology::{self, BoardPlace};
 
@@ -104,8 +100,7 @@ impl Traffic {
 }
 
 impl BusPlan {
-    /// Returns the share of the bus's time that is taken at worst, in the busier direction if the
-    /// two do not take turns.
+    /// Returns the largest share of the bus's time, of the busier direction if there are two.
     pub fn load(&self) -> f64 {
         let loads = self.lanes().map(|lane| self.sum(&lane, |_| true));
         loads.into_iter().fold(0.0, f64::max)
@@ -126,8 +121,7 @@ impl BusPlan {
         lanes.iter().map(|lane| self.blocking_in(lane)).fold(0.0, f64::max)
     }
 
-    /// Returns the longest time to the arrival of the least urgent force frame (us); `None` if it
-    /// may wait forever, or if there is none.
+    /// Returns the longest time to the arrival of the least urgent force frame (us), if bounded.
     pub fn force_response(&self) -> Option<f64> {
         let [down, _] = self.lanes();
         let last = down.iter().rposition(|it| it.kind == TrafficKind::Forces)?;
@@ -153,8 +147,7 @@ impl BusPlan {
         loads.fold(0.0, |sum, load| sum + load)
     }
 
-    /// Returns the frames that share turns, most urgent first: the ones down, with or without the
-    /// ones up, and the rest.
+    /// Returns frames that share turns, most urgent first: down (and up, if shared), and the rest.
     fn lanes(&self) -> [Vec<Traffic>; 2] {
         let shared = self.medium.is_shared();
         let (down, up) = self.traffic().into_iter().partition(|it| shared || it.goes_down());
@@ -220,8 +213,7 @@ fn groups(boards: &[KeyRange]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::identity::ClaimedKeys;
-    use crate::plan::uart::Wiring;
+    use crate::{identity::ClaimedKeys, plan::uart::Wiring};
 
     fn plan(medium: Medium) -> BusPlan {
         BusPlan {

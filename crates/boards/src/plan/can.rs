@@ -4,8 +4,7 @@
 //! minimum and maximum are given. Head and tail of a CAN FD frame are sent at the nominal rate, the
 //! rest at the data rate.
 
-/// Unstuffed end of a classic frame: CRC delimiter, ACK and its delimiter, 7 of end, 3 of pause
-/// (bits).
+/// Unstuffed end of a classic frame: CRC delimiter, ACK, its delimiter, 7 end, 3 pause (bits).
 const CLASSIC_TAIL: usize = 13;
 /// End of a CAN FD frame at the nominal rate: ACK, ACK delimiter, 7, 3 (bits).
 const FD_TAIL: usize = 12;

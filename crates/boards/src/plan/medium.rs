@@ -2,9 +2,7 @@
 
 use std::fmt;
 
-use firmware_protocol::MAX_FRAME;
-use firmware_protocol::can::padded;
-use firmware_protocol::can::pieces::PIECE;
+use firmware_protocol::{MAX_FRAME, can::padded, can::pieces::PIECE};
 
 use super::can::{self, FdBits, Id, Stuffing};
 use super::uart::{self, Wiring};
@@ -30,8 +28,7 @@ pub enum Medium {
         baud: u32,
         wiring: Wiring,
     },
-    /// Bulk transfers of full-speed devices behind one transaction translator, framed as on a
-    /// serial line.
+    /// Bulk transfers of full-speed devices behind one transaction translator, framed as serial.
     UsbFullSpeed,
     UsbHighSpeed,
 }
@@ -94,7 +91,6 @@ impl Medium {
         !matches!(self, Self::Uart { wiring: Wiring::FullDuplex, .. })
     }
 
-    /// Returns `true` if one frame reaches every board.
     pub const fn reaches_all(self) -> bool {
         match self {
             Self::ClassicCan { .. } | Self::CanFd { .. } => true,

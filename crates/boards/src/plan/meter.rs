@@ -1,7 +1,6 @@
 //! Load of a bus by its observed frames.
 
-use super::Medium;
-use super::can::Stuffing;
+use super::{Medium, can::Stuffing};
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Meter {
@@ -103,8 +102,7 @@ impl LinkMeter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::uart::Wiring;
-    use crate::plan::{BusPlan, Extras, ForcePacking, SamplePacking, standard};
+    use crate::plan::{BusPlan, Extras, ForcePacking, SamplePacking, standard, uart::Wiring};
 
     const FD: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
 

@@ -1,7 +1,6 @@
 //! The richest packing that a bus can carry at the wanted rates, or the rates that it can carry.
 
-use super::verdict::WARN;
-use super::{BusPlan, BusVerdict, ForcePacking, SamplePacking};
+use super::{BusPlan, BusVerdict, ForcePacking, SamplePacking, verdict::WARN};
 
 /// All valid combinations of packings, by their information on each key; of two equals, first the
 /// one with a force that depends on the key's own position, then the one with a frame for each

@@ -31,8 +31,7 @@ impl BusVerdict {
 }
 
 impl BusPlan {
-    /// Returns the highest rate at which all keys can be sampled and given a force, both in each
-    /// cycle (Hz); infinite without boards.
+    /// Returns the highest rate for samples and forces of all keys (Hz); infinite without boards.
     pub fn max_rate(&self) -> f64 {
         let one = Self { sample_rate: 1.0, force_rate: 1.0, ..self.clone() };
         one.stretch(REFUSE)
@@ -42,7 +41,6 @@ impl BusPlan {
         BusVerdict::of(self.load())
     }
 
-    /// Returns the planned load, the verdict, and the remedy.
     pub fn sentence(&self) -> String {
         let (what, load) = (self.what(), 100.0 * self.load());
         match self.verdict() {

@@ -1,8 +1,7 @@
-use firmware_protocol::frame::Header;
 use firmware_protocol::frame::key_forces::{self, ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout};
 use firmware_protocol::key::{MOST_KEYS, PerKey};
-use firmware_protocol::quantity::Millinewtons;
+use firmware_protocol::{frame::Header, quantity::Millinewtons};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::key_fault::{GuardFindings, KeyFault};
@@ -87,8 +86,7 @@ struct Guards {
 }
 
 impl Guards {
-    /// Longest gap between samples without blending (periods): an estimator bridges one or two lost
-    /// samples.
+    /// Longest gap between samples without blending (periods): estimators bridge two lost samples.
     const SAMPLE_GAP: f64 = 3.5;
     /// Longest gap between forces without blending (periods): none is left out by design.
     const FORCE_GAP: f64 = 1.5;
@@ -200,7 +198,6 @@ impl BoardEnd {
         self.intervals.forget();
     }
 
-    /// Unmutes all keys, for a board that was power-cycled.
     pub fn unmute(&mut self) {
         self.checks = Default::default();
         self.guarded_keys().for_each(KeyGuard::unmute);
@@ -211,8 +208,7 @@ impl BoardEnd {
         self.most_share = most;
     }
 
-    /// Moves the share of the forces to send by at most `step`: to zero for a board that reports
-    /// that it renders none, else to its limit.
+    /// Moves the share of the forces by at most `step`: to its limit, or to zero for a safe board.
     pub(super) fn move_share(&mut self, step: f64) {
         let wanted = if self.statistics.is_safe { 0.0 } else { self.most_share };
         self.share += (wanted - self.share).clamp(-step, step);
@@ -240,8 +236,7 @@ impl BoardEnd {
         news
     }
 
-    /// Returns the interval from the previous samples by the board's clock (s), if none were lost
-    /// between.
+    /// Returns the interval from the previous samples by the board's clock (s), if none were lost.
     fn elapsed(&self, samples: &KeySamples, tick: u64) -> Option<f64> {
         let (newest, _tick) = self.newest.as_ref()?;
         let is_next = self.loss.is_next(samples.header.sequence, tick);
@@ -320,8 +315,7 @@ impl BoardEnd {
         rendered
     }
 
-    /// Returns the next force frame and its length for the result of `rendered` (N); `None` without
-    /// samples to answer.
+    /// Returns the next force frame and its length for forces (N) of `rendered`, if samples came.
     pub fn answer(
         &mut self,
         rendered: &[f64; MOST_KEYS],
@@ -354,8 +348,7 @@ impl BoardEnd {
         Some((bytes, len))
     }
 
-    /// Returns the slope of a key's force: `slope` at the measured position if the force is sent
-    /// whole.
+    /// Returns the slope of a key's force: `slope` at the measured position for a whole force.
     fn slope(&self, slot: usize, slope: &KeySlope) -> KeySlope {
         let guard = self.guards.as_ref().and_then(|it| it.keys.get(slot));
         let is_whole = 1.0 <= self.share && guard.is_none_or(KeyGuard::is_whole);
@@ -394,8 +387,7 @@ const fn since_us(earlier: &KeySamples, later: &KeySamples) -> u16 {
 #[cfg(test)]
 mod tests {
     use firmware_protocol::frame::key_samples::{self, SamplePacking};
-    use firmware_protocol::quantity::Counts;
-    use firmware_protocol::sequence::SequenceNumber;
+    use firmware_protocol::{quantity::Counts, sequence::SequenceNumber};
 
     use super::*;
     use crate::topology;

@@ -10,14 +10,12 @@
 //! Latest wins: all frames since the last tick are read, the newest counts, and no frame waits.
 
 use crate::links::{Health, Link, RecvError};
-use firmware_protocol::MAX_FRAME;
 use firmware_protocol::frame::{FrameKind, board_of};
-use firmware_protocol::key::BoardId;
+use firmware_protocol::{MAX_FRAME, key::BoardId};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::board::{BoardEnd, BoardStatistics, BoardTerms};
-use super::key_fault::KeyFault;
-use super::multicast::Multicast;
+use super::{key_fault::KeyFault, multicast::Multicast};
 use crate::plan::{LinkMeter, Medium, MeterWindow};
 
 /// Frames to read from one line in one tick; the rest waits for the next.
@@ -69,8 +67,7 @@ impl LineEnd {
         }
     }
 
-    /// Sends the forces of all keys on `boards` as multicast; returns `true` if the link accepted
-    /// all frames.
+    /// Sends the forces of all keys on `boards` as multicast; `true` if the link accepted them.
     fn send_to_all(
         &mut self,
         now_us: u64,
@@ -132,14 +129,12 @@ impl KeybedBus {
         }
     }
 
-    /// Fades forces in over `ticks` when a board renders them again, and out when it stops;
-    /// without it, at once.
+    /// Fades forces in and out over `ticks` when a board starts or stops rendering; else at once.
     pub fn fade_over(&mut self, ticks: u32) {
         self.share_step = 1.0 / f64::from(ticks.max(1));
     }
 
-    /// Guards all keys in exchanges every `period_us`: readings, forces and motors. Not for the
-    /// tick.
+    /// Guards readings, forces and motors in exchanges every `period_us`; not for the tick.
     pub(crate) fn guard(&mut self, period_us: u64) {
         self.boards.iter_mut().for_each(|board| board.guard(period_us));
     }
@@ -148,7 +143,6 @@ impl KeybedBus {
         self.boards.iter_mut().for_each(BoardEnd::demand_proof);
     }
 
-    /// Returns `true` while a motor is being proven, other than waiting for its key to rest.
     pub(crate) fn is_proving(&self) -> bool {
         self.boards.iter().any(BoardEnd::is_proving)
     }

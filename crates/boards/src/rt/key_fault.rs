@@ -1,5 +1,4 @@
-use firmware_protocol::acyclic::health::key_fault;
-use firmware_protocol::key::MOST_KEYS;
+use firmware_protocol::{acyclic::health::key_fault, key::MOST_KEYS};
 
 /// Fault of a key, its sensor or its motor.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -8,7 +8,6 @@ pub use super::board_supervisor::BoardStatus;
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum LinkSnapshot {
     Line(usize, LineSnapshot),
-    /// A board, by its index among all boards.
     Board(usize, BoardSnapshot),
 }
 

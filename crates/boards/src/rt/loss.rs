@@ -21,7 +21,6 @@ pub struct LossCounts {
     pub gaps: u64,
     pub missing: u64,
     pub repeated: u64,
-    /// Frames that arrived after newer ones.
     pub overtaken: u64,
 }
 
@@ -79,7 +78,6 @@ impl Loss {
 mod tests {
     use super::*;
 
-    /// Asserts which frames (number, tick) are new; returns the counts.
     #[track_caller]
     fn check(frames: &[(u8, u64)], news: &[bool]) -> LossCounts {
         let mut loss = Loss::default();

@@ -1,15 +1,12 @@
 //! Forces for all boards on a line at once, and the time by which they expire.
 
-use firmware_protocol::MAX_FRAME;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::multicast_forces::{GROUP, GROUPS, MulticastForces};
-use firmware_protocol::quantity::Millinewtons;
-use firmware_protocol::sequence::SequenceNumber;
+use firmware_protocol::{MAX_FRAME, quantity::Millinewtons, sequence::SequenceNumber};
 use scheduler::motion::KEYS;
 
 use super::board::BoardTerms;
-use crate::clock::low;
-use crate::periods::SYNC_US;
+use crate::{clock::low, periods::SYNC_US};
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Multicast {
@@ -21,7 +18,6 @@ pub(super) struct Multicast {
 type Frames = [Option<([u8; MAX_FRAME], usize)>; 1 + GROUPS];
 
 impl Multicast {
-    /// Returns the frames with the forces of all keys on `boards`, computed at `now_us`.
     pub(super) fn frames(
         &mut self,
         now_us: u64,

@@ -87,8 +87,7 @@ impl KeyCheck {
         };
     }
 
-    /// Checks a reading at `position` (m), `elapsed` (s) after the one before if it follows that.
-    /// Returns `true` if it may be used.
+    /// Checks a reading at `position` (m), `elapsed` (s) after its predecessor; `true` if usable.
     ///
     /// # Real-time
     /// Some twenty additions; five comparisons for a key that rests.
@@ -196,7 +195,6 @@ mod tests {
         (used.collect(), check)
     }
 
-    /// Random numbers, uniform in −1 .. 1.
     fn chance() -> impl Iterator<Item = f64> {
         let mut random = Random(0x9E37_79B9_7F4A_7C15);
         std::iter::repeat_with(move || 2.0 * random.unit() - 1.0)
@@ -255,7 +253,6 @@ mod tests {
             }
             assert_eq!(check.muted(), muted, "{scale} {offset}");
         }
-        // A key that rests and reports a speed.
         let mut check = KeyCheck::default();
         (0..200).for_each(|_| {
             check.add_speed(0.4, 0.0, Some(H));
@@ -281,8 +278,7 @@ mod tests {
         assert!((0..1000).all(|_| check.accept(3.0, Some(H), &unmeasured)));
     }
 
-    /// The fastest finger, fifteen strokes per second, on a key with nothing behind it or with a
-    /// motor that throws it back: every sample is used, at every rate.
+    /// The fastest finger, fifteen strokes a second, on a free key or one that is thrown back.
     #[test]
     fn no_stroke_of_a_finger_is_implausible() {
         let strokes = (0..30).map(|n| Gesture {

@@ -79,7 +79,6 @@ impl IntervalWatch {
     }
 }
 
-/// Puts the newest interval first, and counts the intervals.
 fn push(intervals_us: &mut [u16; N], n: &mut usize, newest_us: u16) {
     intervals_us.rotate_right(1);
     intervals_us[0] = newest_us;

@@ -1,5 +1,4 @@
-use firmware_protocol::frame::key_forces::ForcePacking;
-use firmware_protocol::frame::key_samples::SamplePacking;
+use firmware_protocol::frame::{key_forces::ForcePacking, key_samples::SamplePacking};
 
 use crate::topology::BoardPlace;
 

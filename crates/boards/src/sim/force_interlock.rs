@@ -13,8 +13,7 @@
 //! A board that was stopped, or has a failed key, is safe for good: that replaces any lesser
 //! reason, and only a power cycle clears it. Times are the board's own (us).
 
-use firmware_protocol::acyclic::arm::FADE_MS;
-use firmware_protocol::frame::hello::safe_reason;
+use firmware_protocol::{acyclic::arm::FADE_MS, frame::hello::safe_reason};
 
 const FADE_US: f64 = FADE_MS as f64 * 1e3;
 
@@ -39,7 +38,6 @@ pub(super) struct ForceInterlock {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum NotArmed {
-    /// It was not disarmed before.
     NotDisarmed,
     WrongNonce,
 }
@@ -114,7 +112,6 @@ impl ForceInterlock {
         fed
     }
 
-    /// Returns the permission of forces that answer samples of `answered_us`.
     pub(super) const fn judge(&self, answered_us: u64, now_us: u64) -> ForceDecision {
         let expires_us = answered_us.saturating_add(self.valid_us);
         match self.state {
@@ -130,8 +127,7 @@ impl ForceInterlock {
         }
     }
 
-    /// Goes safe for `reason`; a safe board keeps its first reason, unless only the new one is for
-    /// good.
+    /// Goes safe for `reason`; a safe board keeps its first reason unless only the new one latches.
     pub(super) const fn trip(&mut self, reason: u8, now_us: u64) {
         let is_safe = matches!(self.state, InterlockState::Safe { .. });
         if !self.is_latched() && (!is_safe || latches(reason)) {
@@ -201,7 +197,6 @@ mod tests {
         interlock
     }
 
-    /// An interlock in a state of PROTOCOL.md, and its last nonce.
     fn in_state(state: &str) -> (ForceInterlock, u32) {
         let mut interlock = ForceInterlock::new(7);
         let nonce = interlock.disarm(0).unwrap();
@@ -311,7 +306,6 @@ mod tests {
         }
     }
 
-    /// Asserts that `reason` replaces any earlier reason, and that none replaces it.
     #[track_caller]
     fn check_latched(mut interlock: ForceInterlock, reason: u8, other: u8) {
         for later in [reason, other, safe_reason::SILENCE] {

@@ -45,8 +45,7 @@ impl Law {
         Self::here(*force, slopes, here, taken_us)
     }
 
-    /// Returns the law of a force that holds at a position (m) and velocity (m/s) of this time
-    /// (us).
+    /// Returns the law of a force that holds at a position (m) and velocity (m/s) of `now_us`.
     pub(super) fn here(
         force: Millinewtons,
         slopes: KeySlopes,

@@ -2,8 +2,7 @@
 //!
 //! [`SimulatedKey`] and that key of the keybed produce equal bits, so one can rehearse the other.
 
-use firmware_protocol::acyclic::arm::VALID_MS;
-use firmware_protocol::quantity::Counts;
+use firmware_protocol::{acyclic::arm::VALID_MS, quantity::Counts};
 use haptics::plant::{Gesture, HandCommand, KeyRig, RigParameters};
 use scheduler::motion::{KeySample, KeySlope, Moment};
 
@@ -123,7 +122,6 @@ impl Plant {
         (gesture.start < in_pass + h).then_some(Gesture { start, release, ..gesture })
     }
 
-    /// Returns `true` if the current gesture has ended, or another one has started since.
     fn is_over(&self, t: f64) -> bool {
         let next = self.gestures.get(self.current + 1);
         self.gestures.get(self.current).is_some_and(|gesture| gesture.end() <= t)
@@ -283,7 +281,6 @@ impl SimulatedKey {
         !self.interlock.is_armed()
     }
 
-    /// Returns the plant, which sensors show in part only.
     pub const fn rig(&self) -> &KeyRig {
         self.plant.rig()
     }

@@ -4,8 +4,7 @@
 //! tick n; the plants move at the next `receive`.
 
 use crate::links::faulty::{FaultCounts, FaultPlan, Faults};
-use crate::links::framed::Framing;
-use crate::links::loopback::Loopback;
+use crate::links::{framed::Framing, loopback::Loopback};
 use firmware_protocol::key::{BoardId, KeyIndex, PerKey};
 use haptics::plant::{Gesture, HandCommand, KeyRig, RigParameters};
 use rtrb::{Consumer, Producer, RingBuffer};
@@ -13,13 +12,11 @@ use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
 use super::board::{BoardCounts, BoardMake, SimulatedBoard};
-use crate::Error;
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
-use crate::rt::board_supervisor::ArmState;
 use crate::rt::bus::{IgnoreAcyclic, KeybedBus, LineStatistics};
 use crate::rt::link_monitor::{LinkMonitor, LinkSample};
 use crate::rt::link_snapshot::{BoardSnapshot, BoardStatus, LinkSnapshot};
-use crate::topology;
+use crate::{Error, rt::board_supervisor::ArmState, topology};
 
 /// Frames that a wire holds: those of one tick, and those that faults repeat or delay into it.
 const WIRE_CAPACITY: usize = 8;
@@ -99,8 +96,7 @@ impl SimulatedKeybed {
         requests
     }
 
-    /// Returns a ring with snapshots of all lines and boards once a second, for ticks at `tick_hz`
-    /// (1/s); not for the tick.
+    /// Returns a ring of link snapshots, one per second of ticks at `tick_hz`; not for the tick.
     pub fn monitor(&mut self, tick_hz: u32) -> Consumer<LinkSample> {
         let (monitor, samples) = LinkMonitor::new(tick_hz);
         self.monitor = Some(monitor);
@@ -156,7 +152,6 @@ impl SimulatedKeybed {
         self.lines[board.index()].faults.counts()
     }
 
-    /// Returns the plant of `key`, which sensors show in part only.
     pub fn rig(&self, key: KeyIndex) -> Option<&KeyRig> {
         self.lines[BoardId::of(key).index()].board.rig(BoardId::slot_of(key))
     }
@@ -179,8 +174,7 @@ impl SimulatedKeybed {
     }
 }
 
-/// Returns the present state of a line or board; boards that are kept armed count one arming more
-/// than rearmings.
+/// Returns the state of a line or board; boards kept armed count one arming more than rearmings.
 fn snapshot(bus: &KeybedBus, rearmed: Option<u64>, place: usize) -> Option<LinkSnapshot> {
     let snapshot = bus.snapshot(place)?;
     let status = rearmed.map(|rearmed| BoardStatus {

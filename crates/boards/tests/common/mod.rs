@@ -1,19 +1,16 @@
 //! Simulated boards in real time, on sockets of this process.
 #![allow(clippy::unnecessary_wraps, reason = "what the keybed calls")]
 
-use std::os::unix::net::UnixDatagram;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+use std::{os::unix::net::UnixDatagram, sync::Arc, thread::JoinHandle};
 
 use boards::calibration::KeyCalibration;
 use boards::keybed::{Armed, FoundBoard, Keybed, NamedLink, Offline, Terms, WantedBoards};
 use boards::links::{HostClock, Link, RecvError, SendError};
 use boards::refusal::{BoardName, Refusal};
 use boards::sim::board::{BoardMake, SimulatedBoard};
-use firmware_protocol::frame::key_forces::ForcePacking;
-use firmware_protocol::frame::key_samples::SamplePacking;
+use firmware_protocol::frame::{key_forces::ForcePacking, key_samples::SamplePacking};
 use firmware_protocol::key::{BoardId, PerKey};
 use haptics::plant::RigParameters;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
@@ -66,7 +63,6 @@ pub struct Living {
 }
 
 impl Living {
-    /// Starts `board` on `link`.
     pub fn start(mut board: SimulatedBoard, mut link: impl Link + Send + 'static) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);
@@ -98,14 +94,12 @@ impl Drop for Living {
     }
 }
 
-/// Returns a board of the standard compass that computes its forces every 100 us.
 pub fn board(number: u8) -> SimulatedBoard {
     let id = BoardId::new(number).expect("a board");
     let make = BoardMake::standard(id, 100e-6, RigParameters::default());
     SimulatedBoard::new(make).expect("a possible board")
 }
 
-/// Returns a keybed of these boards, each on a line of its own.
 pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
     let (mut lines, mut boards) = (Vec::new(), Vec::new());
     for number in numbers {
@@ -116,7 +110,6 @@ pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
     (Keybed::new(lines, clock()), boards)
 }
 
-/// Returns the calibration that the boards claim.
 pub fn nominal(found: &FoundBoard, _name: &BoardName) -> Result<PerKey<KeyCalibration>, Refusal> {
     let n = usize::from(found.hello.n_keys);
     Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), n)))

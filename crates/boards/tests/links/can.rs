@@ -4,14 +4,12 @@
 //! `ip link add vcan0 type vcan && ip link set vcan0 up`. Some parts take it down and up again.
 #![cfg(target_os = "linux")]
 
-use std::process::Command;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{process::Command, thread};
 
 use boards::links::can::{Can, CanMode};
 use boards::links::{BusSide, Health, Link as _, RecvError, SendError, WireState};
-use firmware_protocol::MAX_FRAME;
-use firmware_protocol::key::BoardId;
+use firmware_protocol::{MAX_FRAME, key::BoardId};
 use socketcan::{CanErrorFrame, CanFdSocket, Socket as _};
 
 use super::serial_pty::{number, soon, tell};
@@ -222,7 +220,6 @@ fn board(number: u8) -> BusSide {
     BusSide::Board(BoardId::new(number).expect("a board"))
 }
 
-/// Numbered samples of a board, as long as eleven keys need on CAN FD.
 fn samples(board: u8, number: u32) -> Vec<u8> {
     let mut frame = vec![0x60 | board; 48];
     frame[1..5].copy_from_slice(&number.to_le_bytes());
@@ -238,7 +235,6 @@ fn ip(arguments: &[&str]) -> bool {
     run("ip", arguments)
 }
 
-/// Returns `true` if the program succeeded.
 fn run(program: &str, arguments: &[&str]) -> bool {
     Command::new(program).args(arguments).status().is_ok_and(|status| status.success())
 }

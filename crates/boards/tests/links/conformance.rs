@@ -6,13 +6,11 @@ use std::io::Write as _;
 
 use boards::links::can::{Can, CanMode};
 use boards::links::faulty::{FaultPlan, Faults};
-use boards::links::framed::Framing;
-use boards::links::loopback::Loopback;
 use boards::links::serial::{Pty, Serial};
 use boards::links::wire::{Wire, WirePlan};
 use boards::links::{BusSide, Health, Link, RecvError, SendError};
-use firmware_protocol::MAX_FRAME;
-use firmware_protocol::key::BoardId;
+use boards::{links::framed::Framing, links::loopback::Loopback};
+use firmware_protocol::{MAX_FRAME, key::BoardId};
 
 const BAUD: u32 = 1_000_000;
 /// Polls for a frame that a driver delivers late: seconds, not hours.
@@ -89,7 +87,6 @@ fn on_a_stream_a_corrupted_frame_is_told_and_the_next_is_read() {
         wire.board_end().try_send(bytes).unwrap();
     }
     check_corrupt(2, Side::Board, &mut framing.around(wire.host_end()));
-
     let Pty { mut board, path } = Pty::open().unwrap();
     let mut client = std::fs::File::options().write(true).open(path).unwrap();
     let whole = encoded(&frame(Side::Host, 3, 48));
@@ -140,7 +137,6 @@ fn check(lend: Lend<'_>) {
     }
 }
 
-/// A frame that every link carries unchanged: a head with the sender, a length of CAN FD.
 fn frame(from: Side, fill: u8, len: usize) -> Vec<u8> {
     let mut frame = vec![fill; len];
     // Kinds 1 (forces) and 3 (samples), board 3.

@@ -3,8 +3,7 @@
 use boards::links::faulty::{
     Chance, Direction, FaultCounts, FaultPlan, Faults, LinkFault, Scripted,
 };
-use boards::links::loopback::Loopback;
-use boards::links::{Link as _, MAX_LEN, RecvError, SendError};
+use boards::links::{Link as _, MAX_LEN, RecvError, SendError, loopback::Loopback};
 
 #[test]
 fn a_frame_never_arrives_arrives_twice_or_is_overtaken() {
@@ -68,7 +67,6 @@ fn scripted(fault: LinkFault, direction: Direction) -> FaultPlan {
     FaultPlan { script, ..FaultPlan::default() }
 }
 
-/// Asserts the arrivals of four exchanges when the first has `fault`, both ways.
 #[track_caller]
 fn check(fault: LinkFault, expected: &[&[u8]; 4]) {
     for direction in [Direction::Send, Direction::Receive] {
@@ -83,7 +81,6 @@ fn check(fault: LinkFault, expected: &[&[u8]; 4]) {
     }
 }
 
-/// Sends frames 0 to 3, one per exchange; returns the arrivals of each.
 fn run(plan: FaultPlan, direction: Direction) -> ([Vec<u8>; 4], FaultCounts) {
     let mut wire = Loopback::new(4);
     let mut faults = Faults::new(plan);

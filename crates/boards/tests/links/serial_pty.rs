@@ -3,11 +3,9 @@
 //! Counts are asserted; times depend on the machine and are only printed.
 #![cfg(unix)]
 
-use std::io::Write as _;
-use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{io::Write as _, path::Path, thread};
 
 use boards::links::serial::{Pty, Serial};
 use boards::links::wire::{Wire, WirePlan};
@@ -18,7 +16,6 @@ const BAUD: u32 = 1_000_000;
 /// Length of most frames: samples of eleven keys with 24 bits each.
 const LEN: usize = 37;
 const PATIENCE: Duration = Duration::from_secs(20);
-/// Minimum polls before a wait fails.
 const TRIES: u32 = 200_000;
 
 #[test]
@@ -82,7 +79,6 @@ fn a_port_whose_other_end_is_gone_is_down_and_opens_again() {
     let Pty { mut board, path } = Pty::open().unwrap();
     let mut host = open(&path);
     check_passes(&mut board, &mut host);
-
     let wire = Wire::open(WirePlan::default()).unwrap();
     let mut host = open(wire.host());
     drop(wire);
@@ -205,7 +201,6 @@ pub(super) fn number(frame: &[u8]) -> u32 {
     u32::from_le_bytes(*bytes)
 }
 
-/// Polls until there is an answer, and longer on a machine that stood still.
 #[track_caller]
 pub(super) fn soon<T>(mut ask: impl FnMut() -> Option<T>) -> T {
     let (start, mut tries) = (Instant::now(), 0);
@@ -232,7 +227,6 @@ fn check_passes(from: &mut impl Link, to: &mut impl Link) {
     assert_eq!(soon(|| recv(to)), numbered(0x1234_5678));
 }
 
-/// Echoes frames until `over`; returns the number that arrived in order.
 fn echo(mut board: impl Link, over: &AtomicBool) -> u32 {
     let mut next = 0;
     while !over.load(Ordering::Relaxed) {
@@ -247,7 +241,6 @@ fn echo(mut board: impl Link, over: &AtomicBool) -> u32 {
     next
 }
 
-/// Stops the boards, also when the host's side has failed.
 struct End<'a>(&'a AtomicBool);
 
 impl Drop for End<'_> {

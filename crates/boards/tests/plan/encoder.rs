@@ -32,7 +32,6 @@ pub(crate) fn fd(id: Id, number: usize, payload: &[u8]) -> FdBits {
     bits.push(false); // ESI
     push(&mut bits, length_code(payload.len()), 4);
     push_all(&mut bits, payload);
-
     // Behind the last bit, the first fixed stuff bit takes the place of a dynamic one.
     let mut wire = stuffed(&bits);
     let count = wire.len() - bits.len();
@@ -41,7 +40,6 @@ pub(crate) fn fd(id: Id, number: usize, payload: &[u8]) -> FdBits {
     FdBits { nominal: nominal + FD_TAIL, data: wire.len() - nominal + delimiter }
 }
 
-/// Returns start of frame, identifier, and of a long one the bits between its parts.
 fn address(id: Id, number: usize) -> Vec<bool> {
     let mut bits = vec![false];
     match id {

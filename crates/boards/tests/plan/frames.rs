@@ -135,7 +135,6 @@ fn payload() -> impl Strategy<Value = Vec<u8>> {
 }
 
 fn address() -> impl Strategy<Value = (Id, usize)> {
-    // Identifiers of runs cost most, too.
     let standard = prop_oneof![0..0x800_usize, prop::sample::select(vec![0x078, 0x787, 0, 0x7FF])];
     let extended = prop_oneof![0..0x2000_0000_usize, Just(0x0787_8787), Just(0x1878_7878)];
     prop_oneof![standard.prop_map(|it| (Standard, it)), extended.prop_map(|it| (Extended, it))]

@@ -1,8 +1,7 @@
 //! Highest rates over serial lines and USB.
 
 use boards::plan::uart::{Wiring, wire_bytes};
-use boards::plan::usb::UsbRate;
-use boards::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking, standard};
+use boards::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking, standard, usb::UsbRate};
 use keyboard::KeyRange;
 
 use super::hertz;

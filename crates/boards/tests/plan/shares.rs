@@ -6,7 +6,6 @@ use boards::plan::{BusPlan, BusVerdict, Extras, ForcePacking, Medium, SamplePack
 
 use super::rates::{CLASSIC, FD5, FD8, plan};
 
-/// Asserts the load of the fullest of these buses (%).
 #[track_caller]
 fn check(plan: &BusPlan, [sample_rate, force_rate]: [f64; 2], percent: f64) {
     let plan = BusPlan { sample_rate, force_rate, ..plan.clone() };

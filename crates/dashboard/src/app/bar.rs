@@ -6,14 +6,11 @@ use eframe::egui::{
     self, Align, Area, Button, Color32, Frame, Id, Layout, Margin, Panel, RichText, Sense, Ui,
     pos2, vec2,
 };
-use telemetry::Request;
-use telemetry::stream::Role;
+use telemetry::{Request, stream::Role};
 
 use super::{App, shortcuts};
 use crate::app_state::{AppState, StopState};
-use crate::layout;
-use crate::panels::Pane;
-use crate::{theme, unit};
+use crate::{layout, panels::Pane, theme, unit};
 
 /// Age of messages above which it is shown as a fault (s).
 const OLD: f64 = 0.5;

@@ -16,16 +16,13 @@ use telemetry::{Source, Update};
 
 pub use saved_window::SavedWindow;
 
-use crate::app_state::AppState;
 use crate::layout::{self, Layout};
 use crate::panels::{Pane, Panels};
-use crate::toast::ToastAction;
-use crate::{WallClock, panels, theme};
+use crate::{WallClock, app_state::AppState, panels, theme, toast::ToastAction};
 
 /// Shortest time between two frames.
 const FRAME: Duration = Duration::from_millis(16);
 
-/// Range of the scale of texts and widgets.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=2.5;
 
 /// Time after an input in which a paused recording is drawn (s): some frames.

@@ -4,12 +4,9 @@ use eframe::egui;
 use serde::{Deserialize, Serialize};
 
 use super::App;
-use crate::app_state::SharedView;
-use crate::layout::Layout;
 use crate::panels::{Pane, Panels};
-use crate::tune::SavedTuning;
+use crate::{app_state::SharedView, layout::Layout, tune::SavedTuning};
 
-/// Key of the saved state.
 const NAME: &str = "letoff-dashboard";
 
 /// Saved state of the window, as a text, so that no change of ours makes an old one unreadable.
@@ -34,7 +31,6 @@ impl SavedWindow {
         storage.get_string(NAME).map(|text| Self { text })
     }
 
-    /// Creates it from a text of [`Self::text`].
     pub fn read(text: impl Into<String>) -> Self {
         Self { text: text.into() }
     }

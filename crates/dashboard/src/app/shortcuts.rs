@@ -3,10 +3,8 @@
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use super::App;
-use crate::layout;
-use crate::panels::Pane;
+use crate::{layout, panels::Pane};
 
-/// Action of a shortcut.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ShortcutAction {
     Stop,
@@ -61,7 +59,6 @@ const ALL: [(KeyboardShortcut, ShortcutAction, &str); 21] = [
     (ctrl(Key::Num9), ShortcutAction::Open(Pane::Keyboard), "keyboard"),
 ];
 
-/// Returns the shortcuts as text, with their actions.
 pub(super) fn list(ctx: &Context) -> Vec<(String, &'static str)> {
     ALL.iter().map(|(shortcut, _, text)| (ctx.format_shortcut(shortcut), *text)).collect()
 }

@@ -6,14 +6,12 @@ use serde::{Deserialize, Serialize};
 use telemetry::{Deadlines, Spread};
 
 use super::{nothing_ui, piece_ui};
-use crate::app_state::AppState;
 use crate::store::timing::{TickOutcome, Timed};
-use crate::{theme, unit};
+use crate::{app_state::AppState, theme, unit};
 
 /// Most ticks on the timeline.
 const SHOWN: usize = 4000;
 
-/// The distribution to show.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 enum Which {
     #[default]

@@ -5,9 +5,7 @@ use serde::{Deserialize, Serialize};
 use telemetry::{Catalogue, Description, Request};
 
 use super::nothing_ui;
-use crate::app_state::AppState;
-use crate::store::Store;
-use crate::{names, theme};
+use crate::{app_state::AppState, names, store::Store, theme};
 
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
@@ -93,8 +91,7 @@ fn description_ui(
     clicked.inner.then_some(Request::Load { description, keys: None })
 }
 
-/// Draws mistakes. Lines of the file, which are indented, are not wrapped, so that each caret is
-/// under its position.
+/// Draws mistakes. Indented lines of the file are not wrapped, so carets stay in position.
 fn mistakes_ui(ui: &mut Ui, mistakes: &str) {
     let width = ui.available_width();
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -117,7 +114,6 @@ fn is_of_file(line: &str) -> bool {
     line.starts_with("  ")
 }
 
-/// Returns the number of keys that a version plays.
 fn keys_of(it: &Description, store: &Store) -> usize {
     store.voices().filter(|(_key, voice)| voice.version == it.version).count()
 }

@@ -1,16 +1,13 @@
 //! Faults, with their meaning and remedy.
 
-use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{Label, RichText, ScrollArea, Sense, Ui};
+use eframe::egui::{Label, RichText, ScrollArea, Sense, Ui, collapsing_header::CollapsingState};
 use serde::{Deserialize, Serialize};
 use telemetry::Event;
 
 use super::nothing_ui;
-use crate::app_state::AppState;
 use crate::fault_text::{self, Explanation};
-use crate::{names, number, theme};
+use crate::{app_state::AppState, names, number, theme};
 
-/// Most events that are listed.
 const SHOWN: usize = 100;
 
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]

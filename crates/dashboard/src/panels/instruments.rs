@@ -7,10 +7,7 @@ use serde::{Deserialize, Serialize};
 use telemetry::{Instrument, Model};
 
 use super::nothing_ui;
-use crate::app_state::AppState;
-use crate::store::Store;
-use crate::tune::edit::BaseValues;
-use crate::{names, theme};
+use crate::{app_state::AppState, names, store::Store, theme, tune::edit::BaseValues};
 
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
@@ -114,7 +111,6 @@ fn instrument_ui(
     choice
 }
 
-/// Returns the ranges that an instrument plays, as text.
 fn keys_of(store: &Store, instrument: &str) -> String {
     let of_it = runs(store).into_iter().filter(|run| run.instrument == instrument);
     let ranges: Vec<_> = of_it.map(|run| names::range_name(&run.keys)).collect();
@@ -146,7 +142,6 @@ fn runs_ui(ui: &mut Ui, store: &Store) -> Option<RangeInclusive<u8>> {
     clicked
 }
 
-/// Adjacent keys that the same instrument plays.
 struct InstrumentRun<'a> {
     keys: RangeInclusive<u8>,
     instrument: &'a str,

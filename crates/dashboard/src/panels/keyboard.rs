@@ -1,7 +1,6 @@
 //! Keys to press with the mouse and the computer keyboard.
 
-use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
+use std::{collections::BTreeMap, ops::RangeInclusive};
 
 use eframe::egui::{
     Align2, Color32, DragValue, FontId, Key, Rect, Response, Sense, Stroke, StrokeKind, Ui,
@@ -11,8 +10,7 @@ use serde::{Deserialize, Serialize};
 use telemetry::Request;
 
 use super::nothing_ui;
-use crate::app_state::AppState;
-use crate::{names, number, theme};
+use crate::{app_state::AppState, names, number, theme};
 
 /// Keys of the computer from a C on: white ones in the middle row, black ones above.
 const ROW: [Key; 17] = [
@@ -35,7 +33,6 @@ const ROW: [Key; 17] = [
     Key::Semicolon,
 ];
 
-/// Number of drawn semitones.
 const SPAN: u8 = 29;
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -60,7 +57,6 @@ pub(super) struct View {
     is_shown: bool,
 }
 
-/// Action of a finger or hand on a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Hand {
     /// It presses (N).

@@ -151,7 +151,6 @@ fn board_ui(ui: &mut Ui, state: &AppState, links: &Links, board: &Board) -> bool
     is_asked
 }
 
-/// Returns the line's name, or its number if it has none.
 fn line_name(links: &Links, line: u32) -> Cow<'_, str> {
     let named = usize::try_from(line).ok().and_then(|line| links.lines.get(line));
     named.map_or_else(|| line.to_string().into(), |line| line.name.as_str().into())

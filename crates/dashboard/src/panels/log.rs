@@ -5,8 +5,7 @@ use serde::{Deserialize, Serialize};
 use telemetry::log::Level;
 
 use super::nothing_ui;
-use crate::app_state::AppState;
-use crate::theme;
+use crate::{app_state::AppState, theme};
 
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;

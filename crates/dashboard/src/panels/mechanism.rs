@@ -10,9 +10,8 @@ use serde::{Deserialize, Serialize};
 use telemetry::{Body, Coil, Drawing, Follower, Outline, outline};
 
 use super::nothing_ui;
-use crate::app_state::AppState;
 use crate::triangulate::{self, ScreenPoint};
-use crate::{names, number, theme, unit};
+use crate::{app_state::AppState, names, number, theme, unit};
 
 /// The map from the drawing (m) to the screen.
 struct Scale {
@@ -47,7 +46,6 @@ impl Scale {
     }
 }
 
-/// Position and rotation of a body.
 struct BodyPose {
     x: f64,
     y: f64,

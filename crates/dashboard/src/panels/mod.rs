@@ -23,8 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::app_state::AppState;
 
-/// Saved state of a panel. Fields without `#[serde(skip)]` keep their values when the window opens
-/// again.
+/// Saved state of a panel. Fields without `#[serde(skip)]` survive until the next start.
 trait View {
     /// Draws the panel from `state`, and sends requests through it.
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState);
@@ -56,7 +55,6 @@ macro_rules! panels {
             }
         }
 
-        /// The views of all panels.
         #[derive(Clone, Debug, Default, Serialize, Deserialize)]
         #[serde(default)]
         pub(crate) struct Panels {
@@ -97,7 +95,6 @@ impl Panels {
         self.keyboard.plays()
     }
 
-    /// Releases all keys unless the keyboard was drawn since the last call.
     pub(crate) fn release_if_hidden(&mut self, state: &mut AppState) {
         self.keyboard.release_if_hidden(state);
     }
@@ -111,8 +108,7 @@ impl Panels {
     }
 }
 
-/// Draws the reason why there is nothing to show: the state of the source, or `text` for a host
-/// that plays.
+/// Draws the reason why there is nothing to show: the source's state, or else `text`.
 fn nothing_ui(ui: &mut Ui, state: &AppState, text: &str) {
     let text = match state.source_state().why_empty() {
         Some(why) => why,

@@ -7,11 +7,9 @@ use eframe::egui::{
 use serde::{Deserialize, Serialize};
 use telemetry::Severity;
 
-use crate::app_state::AppState;
 use crate::names::{self, LAST};
-use crate::store::condition::KeyCondition;
-use crate::store::key_summary::KeySummary;
-use crate::{fault_text, number, theme};
+use crate::store::{condition::KeyCondition, key_summary::KeySummary};
+use crate::{app_state::AppState, fault_text, number, theme};
 
 /// Travel drawn as a full stroke (m).
 const TRAVEL: f32 = 10e-3;
@@ -82,7 +80,6 @@ fn conditions_ui(ui: &mut Ui, state: &AppState) {
     ui.add(Label::new(RichText::new(text).color(color)).truncate());
 }
 
-/// Describes position, force, mode and fault of a key.
 fn words(state: &AppState, key: u8) -> String {
     let summary = state.store.summaries.key(key);
     let mode =
@@ -234,7 +231,6 @@ fn badge(painter: &Painter, center: Pos2) {
     painter.text(center + vec2(0.0, 0.5), Align2::CENTER_CENTER, "!", font, Color32::WHITE);
 }
 
-/// Draws names of the octaves, and a line under the selected range.
 fn range_ui(ui: &Ui, state: &AppState, area: Rect) {
     let painter = ui.painter();
     let y = area.bottom() - 7.0;

@@ -8,13 +8,10 @@ use std::collections::BTreeMap;
 use eframe::egui::{Button, DragValue, Grid, ScrollArea, TextEdit, TextStyle, Ui};
 use egui_plot::{Corner, HLine, Legend, Line, Plot, PlotPoints};
 use serde::{Deserialize, Serialize};
-use telemetry::Request;
-use telemetry::request::RenderSetting;
+use telemetry::{Request, request::RenderSetting};
 
 use super::nothing_ui;
-use crate::app_state::AppState;
-use crate::store::Store;
-use crate::{theme, unit};
+use crate::{app_state::AppState, store::Store, theme, unit};
 
 /// Travel of a key from rest to bottom (m), over which its largest force may return energy.
 const DIP: f64 = 10e-3;

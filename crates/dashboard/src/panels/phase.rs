@@ -7,9 +7,7 @@ use egui_plot::{Line, Plot, PlotPoints, Points};
 use serde::{Deserialize, Serialize};
 
 use super::nothing_ui;
-use crate::app_state::AppState;
-use crate::store::Store;
-use crate::{grid, number, theme, unit};
+use crate::{app_state::AppState, grid, number, store::Store, theme, unit};
 
 /// Travel over which weights are means (m).
 const MIDDLE: std::ops::Range<f64> = 2e-3..7e-3;
@@ -47,8 +45,7 @@ impl HysteresisLoop {
         self.ways.last().is_none_or(|(way, _)| *way == 0)
     }
 
-    /// Adds a point of the path down (0) or up (1); a line ends where the other begins, or where
-    /// values are missing.
+    /// Adds a point of the path down (0) or up (1); lines end at a reversal or a gap.
     fn enter(&mut self, way: usize, point: [f64; 2]) {
         let is_torn = std::mem::take(&mut self.is_torn);
         if let Some((last, points)) = self.ways.last_mut().filter(|_| !is_torn) {

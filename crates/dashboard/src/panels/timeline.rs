@@ -7,20 +7,16 @@ use eframe::egui::{
     accesskit::Role, vec2,
 };
 use serde::{Deserialize, Serialize};
-use telemetry::Timeline;
-use telemetry::source::Mark;
+use telemetry::{Timeline, source::Mark};
 
 use super::{nothing_ui, piece_ui};
-use crate::app_state::AppState;
-use crate::{number, theme};
+use crate::{app_state::AppState, number, theme};
 
-/// Speeds to choose from.
 const SPEEDS: [f64; 6] = [0.01, 0.1, 0.5, 1.0, 2.0, 8.0];
 
 /// Distance to each side within which a mark is named under the pointer (points).
 const REACH: f32 = 2.0;
 
-/// Most lines of a hover text.
 const LINES: usize = 12;
 
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]

@@ -35,7 +35,6 @@ impl Heights {
         self.chosen.get(&lane).copied()
     }
 
-    /// Returns `true` if any plot has a chosen range.
     pub fn is_chosen(&self) -> bool {
         !self.chosen.is_empty()
     }
@@ -57,8 +56,7 @@ impl Heights {
         }
     }
 
-    /// Returns the automatic range of a plot with values from `low` to `high`. It stays as long as
-    /// the values are inside and use half of it.
+    /// Returns the automatic range of a plot, which stays while its values use half of it.
     pub fn automatic(&mut self, lane: usize, (low, high): (f64, f64)) -> (f64, f64) {
         let range = self.automatic.entry(lane).or_insert((0.0, 0.0));
         let is_outside = low < range.0 || range.1 < high;

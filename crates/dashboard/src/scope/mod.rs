@@ -87,7 +87,6 @@ impl Scope {
         self.pinned.is_none()
     }
 
-    /// Checks the arrivals for triggers.
     pub fn update(&mut self, store: &Store, key: u8) {
         if self.trigger.on != On::Nothing && self.pinned.is_none() {
             self.armed.update(&self.trigger, store, key, self.window);
@@ -119,7 +118,6 @@ impl Scope {
         self.cursors = [start + (end - start) / 3.0, start + (end - start) * 2.0 / 3.0];
     }
 
-    /// Returns the keys shown: `key` first, then the compared ones.
     pub fn keys(&self, key: u8) -> Vec<u8> {
         let is_other = |other: &u8| *other != key && usize::from(*other) < telemetry::KEYS;
         let others = self.compared.iter().copied().filter(is_other);

@@ -25,7 +25,6 @@ pub enum On {
 }
 
 impl On {
-    /// Every choice, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Nothing, Self::Level, Self::Switch, Self::Strike];
 
     pub const fn text(self) -> &'static str {
@@ -50,7 +49,6 @@ pub enum Sweep {
 }
 
 impl Sweep {
-    /// Every choice, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::Auto, Self::Normal, Self::Single];
 
     pub const fn text(self) -> &'static str {
@@ -175,7 +173,6 @@ mod tests {
 
     const KEY: u8 = 39;
 
-    /// Adds rows of a key whose force goes up and down every 100 ticks.
     fn feed(store: &mut Store, from: u32, to: u32) {
         let rows = (to - from) as usize;
         let force = (from..to).map(|tick| if tick % 100 < 50 { 0.0 } else { 2.0 }).collect();

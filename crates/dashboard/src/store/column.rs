@@ -3,7 +3,6 @@
 
 use std::ops::Range;
 
-/// Number of rows in a block.
 pub(crate) const BLOCK: usize = 64;
 
 /// A column of numbers, one for each row.

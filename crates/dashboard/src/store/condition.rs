@@ -34,7 +34,6 @@ impl Default for Conditions {
 }
 
 impl Conditions {
-    /// Combines the states of `boards` on `lines` with the host's `status`, if known.
     pub(crate) fn new(boards: &[Board], lines: &[String], status: Option<&Status>) -> Self {
         let mut conditions = Self::default();
         let (muted, absent) =
@@ -97,7 +96,6 @@ impl KeyCondition {
     }
 }
 
-/// Returns the board's number and line.
 fn name(board: &Board, lines: &[String]) -> String {
     let line = usize::try_from(board.line).ok().and_then(|line| lines.get(line));
     format!("board {} on {}", board.id, line.map_or_else(|| board.line.to_string(), Clone::clone))

@@ -1,7 +1,6 @@
 //! A bounded list, newest last.
 
-use std::collections::VecDeque;
-use std::collections::vec_deque::Iter;
+use std::collections::{VecDeque, vec_deque::Iter};
 
 /// A bounded list that forgets its oldest entries.
 #[derive(Clone, Debug)]

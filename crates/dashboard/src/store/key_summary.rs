@@ -39,7 +39,6 @@ pub struct KeySummaries {
     keys: [KeySummary; KEYS],
     /// `true` if there was an overview.
     pub is_known: bool,
-    /// Last tick of the overview.
     pub tick: u64,
     /// Number of samples lost on their way to the window.
     pub dropped: u64,

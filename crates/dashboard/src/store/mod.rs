@@ -154,7 +154,6 @@ impl Store {
         self.version += 1;
     }
 
-    /// Returns the period of a tick (s).
     pub fn period(&self) -> f64 {
         let hz = self.catalogue.as_ref().map_or(USUAL_HZ, |it| it.tick_hz.max(1));
         1.0 / f64::from(hz)
@@ -192,7 +191,6 @@ impl Store {
         self.version
     }
 
-    /// Returns the rows of a followed key.
     pub fn trace(&self, key: u8) -> Option<&Trace> {
         self.traces.get(&key)
     }
@@ -245,7 +243,6 @@ impl Store {
         Some((OWN.len() + i, &signals[i].unit))
     }
 
-    /// Returns name and unit of every channel of a key.
     pub fn channels(&self, key: u8) -> Vec<(String, String)> {
         let own = OWN.iter().map(|(name, unit)| ((*name).to_owned(), (*unit).to_owned()));
         let signals = self.signals(key).iter();

@@ -16,7 +16,6 @@ pub enum TickOutcome {
 }
 
 impl TickOutcome {
-    /// Every outcome, in the order of the legend.
     pub const ALL: [Self; 4] = [Self::InTime, Self::WokenLate, Self::Preempted, Self::OwnWork];
 
     const fn of(outcome: u8) -> Self {

@@ -178,7 +178,6 @@ impl Trace {
         self.rests
     }
 
-    /// Returns the voice of the newest row.
     pub fn revision(&self) -> u32 {
         self.revision
     }
@@ -373,7 +372,6 @@ mod tests {
         assert!(points.iter().any(|[_, force]| *force < -6.9));
     }
 
-    /// Returns the first and the last tick of each segment of column `column`.
     fn ends(trace: &Trace, column: usize, buckets: usize) -> Vec<(f64, f64)> {
         let segments = trace.segments(column, 0, u64::MAX, buckets);
         segments.iter().map(|points| (points[0][0], points[points.len() - 1][0])).collect()

@@ -2,9 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use telemetry::Reply;
-use telemetry::request::KeyFigure;
-use telemetry::source::Ticket;
+use telemetry::{Reply, request::KeyFigure, source::Ticket};
 
 /// Figures of a key, and what is wrong with it.
 #[derive(Clone, Debug, Default)]

@@ -25,7 +25,6 @@ pub type LayerDifferences = BTreeMap<ParameterSlot, Difference>;
 /// Instruments of all keys, and the differences from them.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct Snapshot {
-    /// Names of the instruments, key by key.
     pub instruments: BTreeMap<u8, String>,
     /// The differences, sorted by slot: a list, because a slot is no name in JSON.
     differences: Vec<(ParameterSlot, Difference)>,
@@ -41,13 +40,11 @@ impl Snapshot {
         self.differences.iter().cloned().collect()
     }
 
-    /// Returns the difference at `slot`, if there is one.
     pub fn difference(&self, slot: &ParameterSlot) -> Option<Difference> {
         let index = self.differences.binary_search_by(|(other, _)| other.cmp(slot)).ok()?;
         Some(self.differences[index].1)
     }
 
-    /// Returns `true` if `is_it` holds for one of the differences.
     pub fn has(&self, is_it: impl Fn(&ParameterSlot, Difference) -> bool) -> bool {
         self.differences.iter().any(|(slot, difference)| is_it(slot, *difference))
     }

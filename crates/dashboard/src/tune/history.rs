@@ -9,7 +9,6 @@ const KEPT: usize = 200;
 /// One change: by a drag, a typed value, a morph, another instrument.
 #[derive(Clone, PartialEq, Debug)]
 pub struct UndoStep {
-    /// Description of the change in a few words.
     pub text: String,
     pub before: EditPatch,
     pub after: EditPatch,

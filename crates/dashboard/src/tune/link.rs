@@ -20,7 +20,6 @@ pub enum LinkedKeys {
 }
 
 impl LinkedKeys {
-    /// Every link, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Alone, Self::Same, Self::Change, Self::Graded];
 
     pub const fn text(self) -> &'static str {

@@ -52,7 +52,6 @@ struct KeyInstrument {
     revision: u32,
 }
 
-/// Layer of an earlier run, which may be put back.
 #[derive(Clone, Debug)]
 struct LeftLayer {
     run: String,
@@ -73,7 +72,6 @@ pub struct Tuner {
     differences: LayerDifferences,
     queue: RequestQueue,
     history: UndoHistory,
-    /// Run of the host.
     run: String,
     left: Option<LeftLayer>,
     refusal: Option<String>,
@@ -108,7 +106,6 @@ impl Tuner {
         }
     }
 
-    /// Returns the listed values of the instrument on `key`.
     fn listed(&self, key: u8) -> Option<Vec<f64>> {
         let played = self.played.get(&key)?;
         let count = played.values.len();
@@ -240,7 +237,6 @@ impl Tuner {
         Some(difference(slot).map_or(base, |it| it.applied_to(base)))
     }
 
-    /// Returns the model and the instrument of a key.
     pub fn played(&self, key: u8) -> Option<(&str, &str)> {
         self.played.get(&key).map(|played| (played.model.as_str(), played.instrument.as_str()))
     }
@@ -250,7 +246,6 @@ impl Tuner {
         self.queue.is_pending(&ParameterSlot::new(key, name))
     }
 
-    /// Returns the reason why the last request was rejected.
     pub fn refusal(&self) -> Option<&str> {
         self.refusal.as_deref()
     }
@@ -377,8 +372,7 @@ impl Tuner {
         Some((old, new))
     }
 
-    /// Undoes the last step; returns the keys that it changes. A parameter that was locked since
-    /// stays.
+    /// Undoes the last step, except parameters locked since; returns the keys that it changes.
     pub fn undo(&mut self) -> Option<RangeInclusive<u8>> {
         let patch = self.history.undo()?;
         self.restore(patch)
@@ -473,7 +467,6 @@ impl Tuner {
         request.or_else(|| figures().filter(|_| self.queue.is_empty()))
     }
 
-    /// Records that `ticket` sent the request of [`Self::outgoing`].
     pub fn sent(&mut self, ticket: Ticket) {
         if self.queue.is_empty() {
             if let Some(key) = self.checks.outgoing() {

@@ -3,9 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::RangeInclusive;
 
-use telemetry::Request;
-use telemetry::request::Change;
-use telemetry::source::Ticket;
+use telemetry::{Request, request::Change, source::Ticket};
 
 use super::edit::ParameterSlot;
 use crate::names;
@@ -21,7 +19,6 @@ struct InstrumentSwitch {
 /// Sent values with the revisions of their keys' voices at that time.
 pub(super) type SentValues = BTreeMap<ParameterSlot, (f64, u32)>;
 
-/// A request without an answer.
 #[derive(Clone, Debug)]
 pub(super) enum SentRequest {
     Switch(RangeInclusive<u8>),
@@ -57,7 +54,6 @@ impl RequestQueue {
         self.dirty.insert(slot);
     }
 
-    /// Returns the instrument that `key` waits for.
     pub(super) fn expected(&self, key: u8) -> Option<&str> {
         self.expected.get(&key).map(String::as_str)
     }
@@ -70,7 +66,6 @@ impl RequestQueue {
         self.expected(key) == Some(instrument)
     }
 
-    /// Records that an instrument plays on `key`.
     pub(super) fn arrived(&mut self, key: u8, instrument: &str) {
         let is_switched = |it: &InstrumentSwitch| it.keys.contains(&key);
         if self.expects(key, instrument) && !self.switches.iter().any(is_switched) {
@@ -102,7 +97,6 @@ impl RequestQueue {
         self.dirty.iter().filter(|slot| !self.awaits(slot.key))
     }
 
-    /// Returns `true` if nothing is to be sent or answered.
     pub(super) fn is_empty(&self) -> bool {
         self.switches.is_empty() && self.dirty.is_empty() && self.asked.is_none()
     }

@@ -197,7 +197,6 @@ pub(crate) fn digits(value: f64) -> String {
     }
 }
 
-/// Formats a number in five digits, for fields to type in.
 pub(crate) fn exact(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
@@ -230,7 +229,6 @@ pub(crate) fn named(name: &str, unit: &str) -> String {
     join(name, &bracketed(unit))
 }
 
-/// Formats `unit` as the suffix of a number.
 pub(crate) fn suffix(unit: &str) -> String {
     join("", unit)
 }
@@ -348,7 +346,6 @@ mod tests {
         assert!((around.start() + 0.3).abs() < 1e-9 && (around.end() - 4.7).abs() < 1e-9);
         let length = parameter("m", (0.0, 0.01), 1e-4);
         assert_eq!(of(&length).around(1e-3, 25.0), 0.0..=3.5);
-        // Without a step, a part of the range.
         let old = Parameter { step: 0.0, ..length };
         assert!((of(&old).step() - 0.05).abs() < 1e-12);
     }

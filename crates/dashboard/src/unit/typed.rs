@@ -1,7 +1,6 @@
 //! Units that people type: products and quotients of named ones, with prefixes.
 
-/// Named units: name, factor, power of ten, powers of m, kg, s and rad, and whether it has
-/// prefixes.
+/// Named units: name, factor, power of ten, powers of m, kg, s and rad, `true` with prefixes.
 const NAMED: [(&str, f64, i32, [i32; 4], bool); 14] = [
     ("m", 1.0, 0, [1, 0, 0, 0], true),
     ("g", 1.0, -3, [0, 1, 0, 0], true),

@@ -14,7 +14,6 @@ use telemetry::{
 
 use super::{BEGAN, Behind};
 
-/// Requests to a [`TakeHost`], which tests read.
 pub(crate) type RequestLog = Arc<Mutex<Vec<Request>>>;
 
 /// F#4, which fails at [`FAULT_TICK`].
@@ -69,7 +68,6 @@ impl TakeHost {
         self.scripted.push_back(Arrival::Update { at, update: Box::new(update) });
     }
 
-    /// Turns `update` into that of a host on a machine with boards.
     fn script(&mut self, at: u64, update: &mut Update) {
         match update {
             Update::Voice(voice) => {
@@ -240,7 +238,6 @@ impl Timeline for TakeHost {
     }
 }
 
-/// Gives ticks, which took no time, different durations, and makes one late.
 fn retime(it: &mut Ticks) {
     let ticks: Vec<_> = it.after.iter().map(|after| it.tick + u64::from(*after)).collect();
     let each = |f: &dyn Fn(u64) -> f32| ticks.iter().map(|tick| f(*tick)).collect();
@@ -252,7 +249,6 @@ fn retime(it: &mut Ticks) {
     it.outcome = ticks.iter().map(|tick| u8::from(*tick == FAULT_TICK)).collect();
 }
 
-/// Returns a distribution around `middle` (us).
 fn spread(middle: f64, width: f64) -> Spread {
     let edge = (1..=24).map(|i| f64::from(i) * width).collect();
     let count = (1..=24_u64).map(|i| 1000 / (1 + i.abs_diff(9)).pow(3)).collect();

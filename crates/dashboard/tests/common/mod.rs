@@ -21,12 +21,10 @@ use telemetry::{Catalogue, Description, DescriptionFile, Request, Source, Update
 /// Start time of every test (ns since 1970).
 const BEGAN: u64 = 1_800_000_000_000_000_000;
 
-/// A clock that a test sets.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TestClock(Arc<AtomicU64>);
 
 impl TestClock {
-    /// Sets the time to `seconds` after the beginning.
     pub(crate) fn set(&self, seconds: f64) {
         #[expect(
             clippy::cast_possible_truncation,
@@ -57,7 +55,6 @@ pub(crate) struct TestWindow {
     asked: RequestLog,
 }
 
-/// Opens a window that shows `pane` alone, three seconds after the beginning.
 pub(crate) fn open(pane: Pane, behind: Behind) -> TestWindow {
     let mut window = open_with(behind, None, move |app| app.show_only(pane));
     if pane == Pane::Tuning {
@@ -92,12 +89,10 @@ pub(crate) fn source(time: &TestClock, behind: Behind) -> (Box<dyn Source>, Requ
 }
 
 impl TestWindow {
-    /// Plays until `seconds` after the beginning, a frame every tenth.
     pub(crate) fn play(&mut self, seconds: f64) {
         self.play_on(0.0, seconds);
     }
 
-    /// Like [`Self::play`], from the time that was reached before.
     pub(crate) fn play_on(&mut self, from: f64, seconds: f64) {
         let mut at = from;
         while at < seconds {
@@ -108,7 +103,6 @@ impl TestWindow {
         self.settle();
     }
 
-    /// Draws a few frames without arrivals.
     pub(crate) fn settle(&mut self) {
         self.harness.run_steps(4);
     }
@@ -125,7 +119,6 @@ impl TestWindow {
         self.settle();
     }
 
-    /// Clicks the element whose label contains `part`.
     #[track_caller]
     pub(crate) fn click_any(&mut self, part: &str) {
         self.harness.get_by_label_contains(part).click();
@@ -159,7 +152,6 @@ impl TestWindow {
         node.accesskit_node().numeric_value().unwrap_or_default()
     }
 
-    /// Clicks in the middle of a hand-drawn element.
     #[track_caller]
     pub(crate) fn press_at(&mut self, at: egui::Pos2) {
         self.harness.hover_at(at);
@@ -196,7 +188,6 @@ impl TestWindow {
         self.harness.query_by_label(label).is_some()
     }
 
-    /// Returns `true` if any label contains `text`.
     pub(crate) fn says(&self, text: &str) -> bool {
         self.harness.query_all_by_label_contains(text).next().is_some()
             || self.harness.query_all_by_value(text).next().is_some()
@@ -209,7 +200,6 @@ impl TestWindow {
         asked.iter().filter(is_own).cloned().collect()
     }
 
-    /// Returns the requested values of a parameter, newest last.
     pub(crate) fn set(&self, key: u8, parameter: &str) -> Vec<f64> {
         let changes = self.asked().into_iter().filter_map(|request| match request {
             Request::Set { changes } => Some(changes),
@@ -237,8 +227,7 @@ impl TestWindow {
     }
 }
 
-/// Returns catalogue and voice for two versions of a description; C4 plays the second, and the file
-/// is now invalid.
+/// Returns catalogue and voice for two versions of a description; the file is now invalid.
 pub(crate) fn wrong_description() -> [Update; 2] {
     const WRONG: &str = "\
 /home/me/feel.toml:6:25: there is no \"kk\"; use \"k\", the nearest of base, k, m, s, y, y', y'' and \

@@ -19,7 +19,6 @@ pub(crate) struct Rasteriser {
 
 impl Rasteriser {
     pub(crate) fn take(&mut self, delta: &TexturesDelta) {
-        // Textures are independent: their order does not matter.
         delta.set.iter().for_each(|(id, parts)| {
             parts.iter().for_each(|part| self.take_part(*id, part));
         });
@@ -111,7 +110,6 @@ fn draw_triangle(picture: &mut Picture, clip: Rect, texture: &Picture, corners: 
     }
 }
 
-/// Returns the pixels with centres between `low` and `high`.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited before")]
 fn span(low: f32, high: f32, size: usize) -> std::ops::Range<usize> {
     let limit = |x: f32| x.clamp(0.0, size as f32) as usize;

@@ -2,10 +2,9 @@
 //!
 //! `UPDATE_SNAPSHOTS=1` renews them; a difference is shown in a `.diff.png`.
 
-use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
+use std::{collections::BTreeMap, io::BufWriter};
 
 use dashboard::App;
 use eframe::egui::{self, Color32};
@@ -44,7 +43,6 @@ impl Canvas {
         &mut self.app
     }
 
-    /// Draws a frame every tenth of a second until `seconds`.
     pub(crate) fn play(&mut self, time: &TestClock, seconds: f64) {
         let mut at = 0.0;
         while at < seconds {
@@ -57,7 +55,6 @@ impl Canvas {
         }
     }
 
-    /// Draws one frame with `events`.
     pub(crate) fn step(&mut self, events: Vec<egui::Event>) -> Vec<egui::epaint::ClippedPrimitive> {
         let [width, height] = self.size;
         self.frame += 1;
@@ -77,7 +74,6 @@ impl Canvas {
         self.ctx.tessellate(output.shapes, 1.0)
     }
 
-    /// Drags the mouse from one place to another; equal places are a click.
     pub(crate) fn drag(&mut self, from: [f32; 2], to: [f32; 2]) {
         let button = |pos: [f32; 2], pressed| egui::Event::PointerButton {
             pos: pos.into(),
@@ -134,7 +130,6 @@ fn differences(picture: &Picture, expected: &Picture) -> Vec<usize> {
     (0..picture.pixels.len()).filter(differ).collect()
 }
 
-/// Returns the picture in grey, with the differences in red.
 fn marked(picture: &Picture, other: &[usize]) -> Picture {
     let mut marked = picture.clone();
     for pixel in &mut marked.pixels {

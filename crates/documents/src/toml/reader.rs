@@ -14,7 +14,6 @@ pub struct KeyReader<'a> {
 }
 
 impl<'a> KeyReader<'a> {
-    /// Returns a reader of `entry`; reports an entry that is not a table.
     pub fn new(report: &mut FindingList, entry: &'a TomlEntry) -> Option<Self> {
         let Some(entries) = entry.node.entries() else {
             let help = format!("write it as {} = {{ … }}", entry.name);
@@ -88,7 +87,6 @@ impl<'a> KeyReader<'a> {
         self.entries.iter().filter(|entry| !self.known.contains(&entry.name.as_str()))
     }
 
-    /// Reports every entry that no call has asked for.
     pub fn finish(self, report: &mut FindingList) {
         for entry in self.others().take(FindingList::MOST) {
             let message = format!("there is no key {} here", quoted(&entry.name));

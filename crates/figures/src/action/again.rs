@@ -48,8 +48,7 @@ pub(super) fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f
     played >= STROKES
 }
 
-/// Returns the time from the finger's release, with the key down, until the key is up to 1 mm (s).
-/// The finger follows the key's front, so that it takes no force.
+/// Returns the time from release with the key down until it is up to 1 mm (s), without force.
 pub(super) fn return_time(subject: &PianoSubject<'_>, key: u8) -> Option<f64> {
     /// Hold before (s), and longest awaited return (s).
     const HELD: f64 = 0.3;

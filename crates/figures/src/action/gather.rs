@@ -1,10 +1,9 @@
 use super::again::{quickest, return_time};
-use super::drive::StrokeTouch;
 use super::figure::{Figure, MeasuredFigures};
 use super::grands::{StrokeTime, speeds};
 use super::slope::{self, ForceCurve};
 use super::stroke::{Miss, Stroke, durations, play, softest};
-use super::subject::PianoSubject;
+use super::{drive::StrokeTouch, subject::PianoSubject};
 use crate::parallel::in_parallel;
 
 const MIDDLE: u8 = 39;
@@ -41,7 +40,6 @@ pub struct Examination {
 }
 
 impl Examination {
-    /// Returns the number of figures outside of their limits.
     pub fn missed(&self) -> usize {
         self.figures.iter().filter(|it| it.pass == Some(false)).count()
     }

@@ -2,13 +2,10 @@
 
 use keyboard::KeyIndex;
 
-use super::again::repeats;
-use super::drive::StrokeTouch;
 use super::figure::{Figure, MeasuredFigures};
-use super::gather::weigh;
 use super::slope::{self, ForceCurve};
 use super::stroke::{Miss, Stroke, play};
-use super::subject::PianoSubject;
+use super::{again::repeats, drive::StrokeTouch, gather::weigh, subject::PianoSubject};
 
 /// Speed of the slow press (m/s).
 const SLOW: f64 = 2e-3;
@@ -19,8 +16,7 @@ const DURATION: f64 = 92.6e-3;
 /// Names of the repetitions, with the part of the travel by which the key rises.
 const REPETITIONS: [(&str, f64); 2] = [("repetition_third", 1.0 / 3.0), ("repetition_full", 1.0)];
 
-/// Fastest rate that is tried (1/s); the next ones are slower by a half, down to the expected one.
-/// A key may lose a rate and keep a faster one.
+/// Fastest tried rate (1/s); slower ones follow, as a key may lose a rate and keep a faster one.
 const FASTEST: u32 = 25;
 
 /// Slower rates that are tried, as parts of the expected one.
@@ -35,7 +31,6 @@ pub struct Regulation {
     pub warnings: Vec<String>,
 }
 
-/// A fault with its sentence, without the name of the key.
 struct RegulationFault {
     name: &'static str,
     sentence: String,
@@ -210,8 +205,7 @@ mod tests {
         }
     }
 
-    /// Returns the error of a reading at the usual value of `key`, and further errors at
-    /// `readings` (mm).
+    /// Returns errors of a reading at the usual value of `key`, and at `readings` (mm).
     fn reading_errors<const N: usize>(
         instrument: &Instrument,
         parameter: &str,
@@ -230,7 +224,6 @@ mod tests {
         (own, errors)
     }
 
-    /// Returns the regulation of a key of the grand with its button moved by `millimetres`.
     fn grand(key: u8, millimetres: f64) -> Regulation {
         let instrument = load("grand");
         let place = place(&instrument, "button");

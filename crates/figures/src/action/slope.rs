@@ -1,7 +1,6 @@
 //! Force against travel at a constant speed, down and back.
 
-use super::drive::Drive;
-use super::subject::PianoSubject;
+use super::{drive::Drive, subject::PianoSubject};
 
 /// Travel between two points of a curve (m), about.
 const STEP: f64 = 5e-6;

@@ -1,9 +1,8 @@
 //! One stroke: the hammer on the string, the key on its bed, and the time after.
 
 use super::drive::{Drive, StrokeTouch};
-use super::grands::StrokeTime;
 use super::key::{ActionSample, StringContact};
-use super::subject::PianoSubject;
+use super::{grands::StrokeTime, subject::PianoSubject};
 
 /// Tick while the hammer is on its way (s).
 const FINE: f64 = 5e-5;

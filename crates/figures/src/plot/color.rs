@@ -51,7 +51,6 @@ impl Stroke {
         Self { color, width, opacity: 1.0, is_dashed: false }
     }
 
-    /// Returns the stroke with another opacity.
     #[must_use]
     pub const fn faint(self, opacity: f64) -> Self {
         Self { opacity, ..self }

@@ -62,7 +62,6 @@ impl PanelEdge<'_> {
         }
     }
 
-    /// Draws the tick at a position on the axis, and the number beside it.
     fn draw_number(&self, canvas: &mut Canvas, at: f64, number: &str) {
         let [(left, _), (right, bottom)] = self.panel;
         let (tick, text, anchor) = match self.side {

@@ -32,7 +32,6 @@ pub struct RangeStability {
 pub struct UnstableKey {
     pub key: KeyIndex,
     pub model: &'static str,
-    /// Symptom of the key.
     pub does: &'static str,
     pub finger: &'static str,
     pub tick_hz: u32,

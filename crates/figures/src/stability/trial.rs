@@ -93,8 +93,7 @@ pub(super) fn first_unstable(
     Ok(None)
 }
 
-/// Tries all fingers on a key, or the hand if one grips it; returns the first finger under which
-/// the key is unstable, with the symptom.
+/// Tries all fingers on a key, or its gripping hand; returns the first unstable one and symptom.
 fn worst(
     builder: &VoiceBuilder<'_>,
     key: (usize, &KeyVoice),

@@ -59,7 +59,6 @@ impl OverloadCounters {
         Simplifications::of_bits(self.now.load(Ordering::Relaxed))
     }
 
-    /// Returns the ticks with each omission, in the order of [`Simplification::ALL`].
     pub fn ticks(&self) -> [u64; Simplification::ALL.len()] {
         self.ticks.each_ref().map(|ticks| ticks.load(Ordering::Relaxed))
     }

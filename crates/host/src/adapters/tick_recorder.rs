@@ -114,8 +114,7 @@ pub struct TickRecorder {
     known: Box<[LastRow; KEYS]>,
 }
 
-/// Position, measured speed, force and sent force of a key's last row, if the key lay still
-/// under a voice at rest.
+/// Position, measured speed, force and sent force of a key's last row, if key and voice rested.
 type LastRow = Option<[u64; 4]>;
 
 impl TickRecorder {
@@ -277,7 +276,6 @@ mod tests {
         }
     }
 
-    /// Rows of `ticks` with these positions (mm) and sleep flags.
     fn tapped(ticks: &[(f64, bool)]) -> Vec<RecorderRow> {
         let (mut tap, mut tapped) = TickRecorder::new();
         let mut keys = Keys::at_rest();
@@ -305,7 +303,6 @@ mod tests {
         assert_eq!(ticks, 5, "each tick is told of");
     }
 
-    /// Waiting rows of key 5: tick, revision of the shown model, `true` if followed.
     fn rows_of_5(tapped: &mut TickRecorderRings) -> Vec<(u64, u32, bool)> {
         let rows = std::iter::from_fn(|| tapped.rows.pop().ok());
         let row = |row| match row {

@@ -6,13 +6,11 @@ use std::path::PathBuf;
 
 use boards::calibration::{KeyCalibration, file};
 use boards::keybed::{Armed, FoundBoard, Keybed, NamedLink};
-use boards::links::reconnecting::ReconnectingLink;
-use boards::links::{BusSide, HostClock};
+use boards::links::{BusSide, HostClock, reconnecting::ReconnectingLink};
 use boards::plan::{Medium, NoPlan};
 use boards::refusal::{BoardName, Refusal};
 use documents::shown;
-use firmware_protocol::frame::hello::feature;
-use firmware_protocol::key::PerKey;
+use firmware_protocol::{frame::hello::feature, key::PerKey};
 use scheduler::time::Nanos;
 
 use crate::control::BoardsTold;
@@ -27,8 +25,7 @@ pub fn now_us() -> u64 {
     clock::monotonic().as_u64() / 1_000
 }
 
-/// Returns the clock of a host with `buses`: a virtual one from 0 if all of them lead to programs
-/// in lockstep.
+/// Returns the clock for `buses`: a virtual one from 0 if all lead to programs in lockstep.
 pub fn clock(buses: &[BoardBus]) -> HostClock {
     let is_virtual = !buses.is_empty() && buses.iter().all(|bus| bus.address.kind.is_in_lockstep);
     if is_virtual { HostClock::virtual_time() } else { HostClock::Monotonic(now_us) }
@@ -74,8 +71,7 @@ pub fn folder(boards: &Boards) -> Option<PathBuf> {
 }
 
 /// Returns the calibration of a board behind one of the `boards`' buses: from its file, or from
-/// the board itself if it is simulated.
-/// If there is no file, or it cannot be used.
+/// the board itself if it is simulated. Fails without a usable file.
 pub fn calibration(
     found: &FoundBoard,
     name: &BoardName,
@@ -116,7 +112,6 @@ pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
     BoardsTold { told, boards }
 }
 
-/// Returns the calibrations that the board states itself.
 fn nominal(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal())
 }

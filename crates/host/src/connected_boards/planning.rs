@@ -7,15 +7,13 @@ use keyboard::KeyRange;
 
 use scene::{BoardBus, Boards};
 
-/// Plans the links of `boards` at `tick_hz` for the boards that the scene lists; a link without a
-/// list or with unknown times gets no plan.
+/// Plans the links of `boards` at `tick_hz`, except those without a list or with unknown times.
 pub fn listed(boards: &Boards, tick_hz: u32) -> Vec<BusPlan> {
     let buses = boards.buses.iter();
     buses.filter_map(|bus| plan(boards, bus, listed_on(bus), tick_hz).ok()).collect()
 }
 
-/// Like [`listed`], but with an entry for each link; links without a list share the standard
-/// boards that no other link has.
+/// Like [`listed`], with an entry for each link; those without a list share the other boards.
 pub fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Result<BusPlan, NoPlan>> {
     let keys = shares(boards).into_iter().zip(&boards.buses);
     keys.map(|(keys, bus)| plan(boards, bus, keys, tick_hz)).collect()
@@ -31,7 +29,6 @@ pub fn found(boards: &Boards, keybed: &Keybed<Calibrated>, tick_hz: u32) -> Vec<
     plans.collect()
 }
 
-/// Returns the sentences of the plans with this verdict.
 pub fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
     plans: P,
     verdict: BusVerdict,

@@ -9,8 +9,7 @@ use super::FingerOwner;
 const CANCELLED: &str =
     "nothing was loaded: its client has disconnected, or the host stops; load it again";
 
-/// Loads of descriptions, one at a time, and the rehearsal of a run. Each work polls its own flag
-/// to end early.
+/// Loads of descriptions, one at a time, and a run's rehearsal; each polls a flag to end early.
 #[derive(Debug, Default)]
 pub struct BackgroundWork {
     /// Held while a description is loaded; others wait.
@@ -73,7 +72,6 @@ mod tests {
 
     use super::*;
 
-    /// Waits until `n` loads run or wait.
     fn wait_for(work: &BackgroundWork, n: usize) {
         while work.loads().len() < n {
             std::thread::yield_now();
@@ -119,7 +117,6 @@ mod tests {
             wait_for(&work, 1);
             let second = scope.spawn(|| work.load(Some(2), |_| unreachable!("it was cancelled")));
             wait_for(&work, 2);
-            // First the waiting load, then the running one.
             work.cancel(2);
             work.cancel(1);
             assert_eq!(first.join().unwrap(), Err(CANCELLED.to_owned()));

@@ -1,11 +1,9 @@
 //! The command's end of the control socket: one request, one reply.
 
-use std::fmt;
-use std::fs;
 use std::io::{self, BufRead as _, BufReader, Write as _};
-use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use std::{fmt, fs, os::unix::net::UnixStream};
 
 use documents::shown;
 use rustix::net::sockopt::{Timeout, set_socket_timeout, socket_peercred};
@@ -29,12 +27,7 @@ pub enum ControlError {
         elsewhere: Elsewhere,
     },
     #[error("the host at {} is {owner}, and does not listen to you: {remedy}", shown(.path))]
-    NotYours {
-        path: PathBuf,
-        owner: String,
-        /// Command that reaches it, and the users who may run it.
-        remedy: String,
-    },
+    NotYours { path: PathBuf, owner: String, remedy: String },
     /// The socket is held by a program of an untrusted user.
     #[error(
         "what listens at {path} is user {uid}'s and no host of yours: nothing was asked; see what \
@@ -129,8 +122,7 @@ pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
     send_within(PATIENCE, path, request)
 }
 
-/// Wait of a stop for the next host after a crash: the service manager starts one after 5 s,
-/// `RestartSec` of the service.
+/// Wait of a stop for the next host after a crash; `RestartSec` of the service is 5 s.
 const NEXT_START: Duration = Duration::from_secs(8);
 
 /// Interval of the attempts to reach the next host.
@@ -228,8 +220,7 @@ pub fn send_to_host(request: &Request) -> Result<Answer, ControlError> {
     hold(request).map(|(answer, _connection)| answer)
 }
 
-/// Sends `request`, which presses a key, to that host; the key is released when the returned
-/// connection is dropped.
+/// Like [`send_to_host`], for a pressed key, which dropping the returned connection releases.
 pub fn hold(request: &Request) -> Result<(Answer, UnixStream), ControlError> {
     let nobody = match converse(PATIENCE, &place::socket_path(), request) {
         Err(nobody @ ControlError::NoHost { .. }) if place::chosen().is_none() => nobody,

@@ -1,14 +1,11 @@
 //! The voices of a running host, and changes of their values that are checked as a whole.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 use instruments::{LoadedModel, Parameter};
 use keyboard::{KeyIndex, KeyRange};
 use mechanism::unmet;
-use telemetry::key_name;
-use telemetry::request::Change;
-use telemetry::stream::ParameterSetting;
+use telemetry::{key_name, request::Change, stream::ParameterSetting};
 
 use super::description_states::known_path;
 use super::new_voice::{NewVoice, VoiceHandover};
@@ -43,7 +40,6 @@ impl CurrentVoices {
         Self { render, ..self.clone() }
     }
 
-    /// Returns the voice of `key`, or a sentence why there is none.
     pub(super) fn voice(&self, key: u8) -> Result<&KeyVoice, String> {
         let range = single(key)?;
         self.keys[usize::from(key)].as_ref().ok_or_else(|| self.missing(range))
@@ -90,8 +86,7 @@ impl CurrentVoices {
         Ok(voices.into_iter().map(|(key, voice)| (key, values(voice))).collect())
     }
 
-    /// Returns a sentence on the values that `changes` change, with those before, and their number.
-    /// `None` if no value changes.
+    /// Returns a sentence on the changed values and their number; `None` if no value changes.
     pub(super) fn described(&self, changes: &[Change]) -> Option<(String, u32)> {
         let mut by_name: BTreeMap<&str, Vec<(u8, String)>> = BTreeMap::new();
         for Change { key, parameter: wanted, value } in changes {
@@ -207,12 +202,10 @@ impl CurrentVoices {
         of_name.filter_map(|(key, (voice, _))| Some((key, voice.as_ref()?))).collect()
     }
 
-    /// Returns the distinct models of all voices.
     pub(super) fn models(&self) -> Vec<Arc<LoadedModel>> {
         crate::observe::distinct(self.keys.iter().flatten().map(|voice| &voice.model))
     }
 
-    /// Returns all parameters of all voices, in the order of keys.
     pub(super) fn settings(&self) -> Vec<ParameterSetting> {
         let voices = (0..).zip(&self.keys).filter_map(|(key, it)| Some((key, it.as_ref()?)));
         let of = |(key, it): (u8, &KeyVoice)| -> Vec<ParameterSetting> {

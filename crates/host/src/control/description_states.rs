@@ -1,5 +1,4 @@
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 use instruments::{FileContents, ModelEntry};
 use telemetry::Description;
@@ -12,7 +11,6 @@ pub(super) struct DescriptionStates {
     pub(super) is_watched: bool,
 }
 
-/// Contents of a description's files at the last read, and its mistakes.
 #[derive(Clone, Debug)]
 struct ReadDescription {
     contents: FileContents,
@@ -20,7 +18,6 @@ struct ReadDescription {
 }
 
 impl DescriptionStates {
-    /// Records that the description at `file` was read with these mistakes.
     pub(super) fn note_read(&mut self, file: &str, contents: FileContents, mistakes: &str) {
         let read = ReadDescription { contents, mistakes: mistakes.to_owned() };
         self.files.insert(file.to_owned(), read);
@@ -33,7 +30,6 @@ impl DescriptionStates {
         }
     }
 
-    /// Returns the contents of the description of `model` at the last read.
     pub(super) fn contents(&self, model: &ModelEntry) -> Option<FileContents> {
         let source = model.source.as_ref()?;
         let read = self.files.get(&source.file);

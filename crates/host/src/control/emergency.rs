@@ -17,7 +17,6 @@ pub struct BoardsTold {
 }
 
 impl BoardsTold {
-    /// Answer before any board is armed.
     pub const NONE_ARMED: Self = Self { told: 0, boards: 0 };
 
     pub fn reply(self) -> Reply {
@@ -39,7 +38,6 @@ impl BoardsTold {
         Reply::Stopped { text, told: n_told, boards: n_boards }
     }
 
-    /// Returns the numbers of boards told and of all.
     pub(super) fn counts(self) -> [u32; 2] {
         [self.told, self.boards].map(|n| u32::try_from(n).unwrap_or(u32::MAX))
     }
@@ -57,7 +55,6 @@ pub struct EmergencyStop {
 }
 
 impl EmergencyStop {
-    /// Requests the stop, which the next tick executes.
     pub fn ask(&self) {
         self.is_asked.store(true, Ordering::Release);
         self.asks.notify_one();

@@ -6,8 +6,7 @@ use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
 use rtrb::Producer;
 
-/// The connection of a client of the stream or the control socket; `None` for requests without
-/// one, whose keys stay pressed until they are released.
+/// Connection of a client; `None` for requests without one, whose keys stay pressed.
 pub type FingerOwner = Option<u64>;
 
 /// Sends simulated hands into the tick.

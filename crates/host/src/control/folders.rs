@@ -115,14 +115,12 @@ impl Folders {
     }
 }
 
-/// Treatment of a file that has the name of a new one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Overwriting {
     Allowed,
     Refused,
 }
 
-/// Returns `true` if an instrument of the program has this name.
 pub(super) fn is_embedded(name: &str) -> bool {
     instrument_heads().iter().any(|head| head.name == name)
 }

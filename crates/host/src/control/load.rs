@@ -4,8 +4,7 @@
 //! thread, and its voices are built there. A mistake changes nothing. Descriptions load one at a
 //! time, and none for a client that has disconnected.
 
-use std::collections::BTreeSet;
-use std::path::Path;
+use std::{collections::BTreeSet, path::Path};
 
 use std::sync::Arc;
 
@@ -16,10 +15,8 @@ use mechanism::rendered;
 use scene::{Render, Scene};
 use telemetry::{Log, Update, log};
 
-use super::current_voices::CurrentVoices;
 use super::description_states::{DescriptionStates, known_path};
-use super::run_status::nanos_now;
-use super::{FingerOwner, RequestHandler};
+use super::{FingerOwner, RequestHandler, current_voices::CurrentVoices, run_status::nanos_now};
 use crate::observe::{self, TelemetryMessage};
 
 #[derive(Debug)]
@@ -121,8 +118,7 @@ impl RequestHandler {
         files.collect()
     }
 
-    /// Returns the catalogue with a model that joins those of `playing`; `None` if clients know
-    /// it.
+    /// Returns the catalogue with a model that joins those of `playing`, unless clients know it.
     pub(super) fn catalogue_with(
         &self,
         playing: &CurrentVoices,

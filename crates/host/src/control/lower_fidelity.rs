@@ -1,18 +1,13 @@
 //! Lower fidelities for resting keys while ticks have too little time, and back again.
 
-use std::collections::BTreeMap;
-use std::io;
-use std::sync::Arc;
-use std::time::Duration;
+use std::{collections::BTreeMap, io, sync::Arc, time::Duration};
 
 use keyboard::KeyRange;
 use scene::{Instrument, KeyVoice, Voicing};
 use scheduler::overload::Simplification;
 
-use super::RequestHandler;
-use super::current_voices::CurrentVoices;
 use super::new_voice::{NewVoice, VoiceHandover};
-use super::repeated_look::RepeatedLook;
+use super::{RequestHandler, current_voices::CurrentVoices, repeated_look::RepeatedLook};
 
 const LOOK: Duration = Duration::from_millis(50);
 
@@ -24,8 +19,7 @@ const KEYS: u8 = 88;
 const OVERLOAD: &str = "overload";
 
 /// Gives resting keys a lower fidelity while the scheduler of `handler`'s run omits fidelity, until
-/// the result is dropped.
-/// If the system gives no thread.
+/// the result is dropped. Fails if the system gives no thread.
 pub fn follow_load(handler: Arc<RequestHandler>) -> io::Result<RepeatedLook> {
     let mut lowered = LoweredKeys::default();
     RepeatedLook::start("letoff-fidelity", LOOK, move || lowered.look(&handler))
@@ -44,7 +38,6 @@ struct OriginalVoice {
     voice: KeyVoice,
     voicing: Voicing,
     instrument: String,
-    /// Present instrument.
     lower: String,
 }
 
@@ -96,8 +89,7 @@ impl LoweredKeys {
         changes
     }
 
-    /// Returns the keys `asleep` that have their fidelity and the values of their instruments, with
-    /// the instruments' names.
+    /// Returns the keys `asleep` with unchanged fidelity and values, and the instruments' names.
     fn untouched(&self, handler: &RequestHandler, asleep: u128) -> Vec<(u8, String)> {
         let playing = handler.playing();
         let keys = (0..KEYS).filter(|key| is_in(asleep, *key) && !self.before.contains_key(key));
@@ -162,8 +154,7 @@ fn originals(
     changes.iter().filter_map(original).collect()
 }
 
-/// Returns the next lower fidelity of the instrument `name`, if a stable one exists in the loop of
-/// `handler`'s run.
+/// Returns the next lower fidelity of instrument `name` that is stable in `handler`'s loop.
 fn lower(handler: &RequestHandler, name: &str) -> Option<Instrument> {
     let library = &handler.scene.library;
     let (_fidelity, lower) = Instrument::load(library, name).ok()?.levels.into_iter().next()?;

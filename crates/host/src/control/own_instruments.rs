@@ -1,17 +1,13 @@
 //! Instruments of the user's own folder: listed in the catalogue, saved from what plays.
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::sync::Arc;
+use std::{collections::BTreeMap, fs, sync::Arc};
 
 use documents::{quoted, shown};
 use keyboard::{Difference, KEYS};
 use scene::{CompassDifferences, Instrument, InstrumentEdit};
 use telemetry::request::ParameterDifferences;
 
-use super::current_voices::CurrentVoices;
-use super::folders::Overwriting;
-use super::{FingerOwner, RequestHandler};
+use super::{FingerOwner, RequestHandler, current_voices::CurrentVoices, folders::Overwriting};
 use crate::observe;
 
 impl RequestHandler {
@@ -85,7 +81,6 @@ impl RequestHandler {
         self.send_catalogue();
     }
 
-    /// Returns the catalogue's entries of the user's instruments.
     pub(super) fn own_entries(&self) -> Vec<telemetry::Instrument> {
         let known = self.own_instruments();
         let mut entries: Vec<_> = known.values().map(|it| observe::instrument(it)).collect();

@@ -4,11 +4,9 @@
 //! trusted. So the socket is in a folder that only its user can write, its mode lets only that user
 //! connect, and a command checks the user of the host.
 
-use std::fs;
-use std::io;
-use std::os::unix::ffi::OsStrExt as _;
 use std::os::unix::fs::{DirBuilderExt as _, FileTypeExt as _, MetadataExt as _};
 use std::path::{Path, PathBuf};
+use std::{fs, io, os::unix::ffi::OsStrExt as _};
 
 use documents::shown;
 use rustix::process::getuid;
@@ -172,8 +170,7 @@ pub(super) fn shares_socket(pid: u32) -> bool {
     its == own.as_ref().map(|own| own.as_bytes())
 }
 
-/// Returns the sockets of hosts elsewhere on this machine, except `path`, with their visible
-/// owners.
+/// Returns the sockets of this machine's hosts, except `path`, with their visible owners.
 pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {
     let listed = fs::read_to_string("/proc/net/unix").unwrap_or_default();
     let mut others: Vec<PathBuf> = listening(&listed).filter(|other| other != path).collect();

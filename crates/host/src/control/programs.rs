@@ -1,8 +1,6 @@
 //! MIDI program changes, which switch instruments while the keys play.
 
-use std::sync::Arc;
-use std::sync::mpsc;
-use std::thread;
+use std::{sync::Arc, sync::mpsc, thread};
 
 use keyboard::KeyRange;
 use midi::{ProgramChange, ProgramInput, Unavailable};

@@ -93,7 +93,6 @@ fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
 }
 
 impl CurrentVoices {
-    /// Returns the voices of `next` that differ, with their handover.
     fn differences(&self, next: &Self) -> BTreeMap<u8, NewVoice> {
         let pairs = (0..).zip(self.keys.iter().zip(&next.keys));
         let other = |(key, (old, new)): (u8, (&Option<KeyVoice>, &Option<KeyVoice>))| {

@@ -20,7 +20,6 @@ impl RequestHandler {
     ///
     /// # Errors
     /// A sentence on each mistake or unstable key.
-    /// All that is wrong with them, or which key is not stable with them, in a sentence each.
     pub(super) fn change_settings(
         &self,
         settings: &[RenderSetting],
@@ -50,8 +49,7 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Tries `key` as it plays now; returns its gain margin and its weights. The error is a
-    /// sentence.
+    /// Tries `key` as it plays now; returns gain margin and weights. The error is a sentence.
     pub(super) fn margin(&self, key: u8) -> Result<String, String> {
         let keys = single(key)?;
         let scene = {
@@ -79,8 +77,7 @@ impl RequestHandler {
         })
     }
 
-    /// Rejects settings with which an instrument is known to be unstable, or a key proves unstable
-    /// in trials.
+    /// Rejects settings with which an instrument or a key is unstable.
     fn refuse_unstable_settings(&self, tried: &CurrentVoices) -> Result<(), String> {
         let scene = self.scene_of(tried);
         let names: BTreeSet<_> = tried.instruments.iter().flatten().collect();

@@ -1,8 +1,5 @@
-use std::io;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
-use std::time::Duration;
+use std::{io, sync::Arc, thread, time::Duration};
 
 /// A thread that polls repeatedly until it is dropped.
 #[derive(Debug)]

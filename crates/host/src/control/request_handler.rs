@@ -1,18 +1,15 @@
 //! Checks requests, builds their answers, and sends changes by the [`RunHandle`].
 
-use std::collections::BTreeMap;
-use std::net::SocketAddr;
-use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::{collections::BTreeMap, net::SocketAddr, path::Path};
 
 use engine::realtime::pool::{BoxedVoice, VoiceChange};
 use engine::voice::VoiceBuilder;
 use haptics::HandCommand;
 use scene::{Instrument, KeyVoice, Scene, is_description, written};
 use scheduler::values::ModelValues;
-use telemetry::request::Change;
 use telemetry::stream::{Backend, ParameterSetting, Who};
-use telemetry::{Event, Reply, Request, Update, event, key_name};
+use telemetry::{Event, Reply, Request, Update, event, key_name, request::Change};
 
 use super::current_voices::{CurrentVoices, is_absent, single};
 use super::description_states::DescriptionStates;
@@ -54,8 +51,7 @@ pub struct StreamAddress {
 }
 
 impl RequestHandler {
-    /// Answers for a host without a stream that runs `scene` behind `run`; clients of the stream
-    /// name files in `folders`.
+    /// Answers for a host without a stream that runs `scene`; its clients name files in `folders`.
     pub fn new(scene: Scene, run: Arc<RunHandle>, folders: Folders) -> Self {
         let playing = Mutex::new(CurrentVoices::new(&scene));
         let own_instruments = Mutex::default();

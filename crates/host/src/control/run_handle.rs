@@ -8,8 +8,7 @@ use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
 use pode::EnergyAudit;
 use rtrb::Producer;
-use telemetry::recording::RecordingLimits;
-use telemetry::{Log, Update, log};
+use telemetry::{Log, Update, log, recording::RecordingLimits};
 
 use super::key_port::{KeyPort, Lights};
 use super::run_status::nanos_now;
@@ -25,7 +24,6 @@ use crate::session::RehearsalCache;
 #[derive(Debug, Default)]
 pub struct RunHandle {
     pub emergency: EmergencyStop,
-    /// Work for the run off the tick.
     pub background: BackgroundWork,
     pub status: Arc<RunStatus>,
     /// Socket of the guardian for its MIDI port, if any.
@@ -77,7 +75,6 @@ impl RunHandle {
         lock(&self.voices).swaps = None;
     }
 
-    /// Returns the next number of a voice, from 1.
     pub fn new_revision(&self) -> u32 {
         lock(&self.voices).new_revision()
     }
@@ -91,8 +88,7 @@ impl RunHandle {
         lock(&self.voices).energy()
     }
 
-    /// Sends `messages` to telemetry, then `changes` to the voices of their keys; all or none. The
-    /// error is a sentence.
+    /// Sends `messages` to telemetry and `changes` to voices, all or none; errors are sentences.
     pub fn send(
         &self,
         changes: Vec<(usize, VoiceChange)>,
@@ -143,7 +139,6 @@ impl RunHandle {
         lock(&self.telemetry).tell(message);
     }
 
-    /// Writes a sentence into the host's log.
     pub fn log(&self, text: String) {
         let entry = Update::Log(Log { level: log::Level::Info.into(), text });
         match lock(&self.early_log).as_mut() {

@@ -1,10 +1,8 @@
 //! State of a run, for `letoff status`, metrics and service managers.
 
-use std::collections::VecDeque;
-use std::sync::atomic::Ordering::Relaxed;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::thread;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::{collections::VecDeque, sync::atomic::Ordering::Relaxed, thread};
 
 use telemetry::event::Kind;
 use telemetry::{
@@ -89,7 +87,6 @@ impl RunStatus {
         (parts.recording, parts.recording_since) = (recording, seconds_now());
     }
 
-    /// Ends the run with a sentence about it.
     pub fn finish(&self, report: String) {
         self.lock().report = report;
         self.enter(HostState::Over);
@@ -304,7 +301,6 @@ fn seconds_now() -> u64 {
     nanos_now() / 1_000_000_000
 }
 
-/// Returns the time (ns since 1970).
 pub(super) fn nanos_now() -> u64 {
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX))

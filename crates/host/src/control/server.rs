@@ -1,16 +1,13 @@
 //! The host's end of the control socket: one request per line, bounded in size and time.
 
-use std::fs;
-use std::io;
-use std::os::linux::net::SocketAddrExt as _;
-use std::os::unix::fs::MetadataExt as _;
 use std::os::unix::net::{SocketAddr, UnixListener as StdListener};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
+use std::{
+    fs, io, os::linux::net::SocketAddrExt as _, os::unix::fs::MetadataExt as _, sync::Arc,
+    time::Duration,
+};
 
-use rustix::fs::Mode;
-use rustix::process::umask;
+use rustix::{fs::Mode, process::umask};
 use tokio::io::{
     AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader, Interest, Ready,
 };
@@ -157,7 +154,6 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
     }
 }
 
-/// The permitted requests of a client.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ClientRights {
     /// The host's user and root may send any request.
@@ -206,8 +202,7 @@ impl HeldConnection {
 }
 
 impl<A: Answers> ControlClient<A> {
-    /// Answers the request on `stream`; drops a client that fails, stalls or sends an invalid
-    /// request.
+    /// Answers the request on `stream`; drops a client that fails, stalls or is invalid.
     async fn attend(self, stream: UnixStream, place: OwnedSemaphorePermit) {
         if let Ok(Some(mut held)) = self.converse(stream, place).await {
             held.until_it_ends().await;

@@ -1,14 +1,10 @@
 //! The host's status on the stream, from before its first tick until after its last.
 
-use std::io;
-use std::sync::Arc;
-use std::time::Duration;
+use std::{io, sync::Arc, time::Duration};
 
-use telemetry::stream::Publisher;
-use telemetry::{Status, Update, status};
+use telemetry::{Status, Update, status, stream::Publisher};
 
-use super::run_status::nanos_now;
-use super::{RepeatedLook, RequestHandler, RunHandle};
+use super::{RepeatedLook, RequestHandler, RunHandle, run_status::nanos_now};
 
 /// Interval of the checks for a change.
 const INTERVAL: Duration = Duration::from_millis(100);

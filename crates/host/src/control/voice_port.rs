@@ -9,7 +9,6 @@ use super::NOT_RUNNING;
 /// Numbers voices, sends changes to them and sums up their energy audits.
 #[derive(Debug, Default)]
 pub(super) struct VoicePort {
-    /// Access to the lanes of a run, if any.
     pub(super) swaps: Option<VoiceSwaps>,
     revisions: u32,
     audits: EnergySum,
@@ -44,7 +43,6 @@ impl VoicePort {
 
     /// Calls `tell`, then sends `changes` to the voices of their keys; all or none. They wait a
     /// moment for earlier changes. The error is a sentence.
-    /// Why none was taken, in a sentence.
     pub(super) fn send(
         &mut self,
         changes: Vec<(usize, VoiceChange)>,

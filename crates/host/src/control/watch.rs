@@ -1,15 +1,11 @@
 //! Watches the playing descriptions, and loads saved ones.
 
-use std::collections::BTreeMap;
-use std::io;
-use std::sync::Arc;
-use std::time::Duration;
+use std::{collections::BTreeMap, io, sync::Arc, time::Duration};
 
 use instruments::FileContents;
 use mechanism::contents_now;
 
-use super::RequestHandler;
-use super::repeated_look::RepeatedLook;
+use super::{RequestHandler, repeated_look::RepeatedLook};
 
 /// Interval of the polls; two equal finds are read, so that no half-written file is read.
 const LOOK: Duration = Duration::from_millis(100);
@@ -17,8 +13,7 @@ const LOOK: Duration = Duration::from_millis(100);
 /// Author of a request for a saved description.
 const WATCH: &str = "--watch";
 
-/// Watches the descriptions of `handler`'s voices, and those that they are based on, until the
-/// result is dropped.
+/// Watches the descriptions of `handler`'s voices and their bases until the result is dropped.
 ///
 /// It compares the contents of the files, since editors write into them or replace them. A file
 /// that is missing for a moment changes nothing.
@@ -28,7 +23,6 @@ pub fn watch_descriptions(handler: Arc<RequestHandler>) -> io::Result<RepeatedLo
     RepeatedLook::start("letoff-watch", LOOK, move || found.look(&handler))
 }
 
-/// Contents at the last poll, where they differ from those that were read.
 #[derive(Debug, Default)]
 struct FoundContents(BTreeMap<String, FileContents>);
 

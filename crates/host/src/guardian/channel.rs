@@ -1,12 +1,10 @@
 //! The host's end of the socket to its guardian, with bounded waits.
 
 use std::io::{self, ErrorKind, Read as _, Write as _};
-use std::os::fd::OwnedFd;
 use std::os::unix::net::{UnixListener, UnixStream};
-use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::{os::fd::OwnedFd, os::unix::process::CommandExt as _, time::Duration};
 
 use documents::shown;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};

@@ -1,15 +1,11 @@
 //! The guardian's own process: one host at a time, and silence without one.
 
-use std::io;
-use std::os::fd::AsFd as _;
-use std::os::unix::net::UnixListener as StdListener;
-use std::path::Path;
-use std::time::Duration;
+use std::{
+    io, os::fd::AsFd as _, os::unix::net::UnixListener as StdListener, path::Path, time::Duration,
+};
 
-use engine::realtime::clock;
-use engine::realtime::memory;
-use engine::realtime::run::histogram;
 use engine::realtime::thread::{ThreadPlan, WantedPolicy};
+use engine::realtime::{clock, memory, run::histogram};
 use hdrhistogram::Histogram;
 use midi::{Message, MidiSendError, NoteGuardian, Unavailable};
 use scheduler::time::Nanos;
@@ -20,9 +16,8 @@ use tokio::signal::unix::{Signal, SignalKind, signal};
 use tokio::time::MissedTickBehavior;
 
 use super::protocol::{GuardedPort, GuardianLine, HostLine, PassedOn, VERSION, is_missing};
-use crate::control::place;
 use crate::midi_thread::{AnyOutput, PRIORITY};
-use crate::report::Quantiles;
+use crate::{control::place, report::Quantiles};
 
 /// Interval of the checks of the host's beats and of the port.
 const LOOK: Duration = Duration::from_millis(50);
@@ -233,7 +228,6 @@ impl GuardianProcess {
         }
     }
 
-    /// Ends the notes of a host that is gone.
     fn leave(&mut self) {
         let now = self.now();
         let left = self.open.as_mut().map(|open| open.notes.leave(now));

@@ -25,7 +25,6 @@ pub(crate) use protocol::GuardedPort;
 
 use crate::control::socket_path;
 
-/// Returns the path of the guardian's socket for this user's host.
 pub fn guardian_path() -> PathBuf {
     let mut path = socket_path().into_os_string();
     path.push(".midi");

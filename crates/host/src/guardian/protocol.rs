@@ -6,9 +6,7 @@ use std::path::{Path, PathBuf};
 use midi::{MidiPort, Output, RawPort, Unavailable};
 use serde::{Deserialize, Serialize};
 
-use crate::control::place;
-use crate::midi_thread::AnyOutput;
-use crate::report::Quantiles;
+use crate::{control::place, midi_thread::AnyOutput, report::Quantiles};
 
 /// Protocol version; a guardian of another version is left alone.
 pub(super) const VERSION: u32 = 2;

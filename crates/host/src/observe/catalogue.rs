@@ -1,7 +1,6 @@
 //! The catalogue of signals and parameters, as a message.
 
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::{path::PathBuf, sync::Arc};
 
 use instruments::{LoadedModel, ModelEntry};
 use scheduler::motion::KEYS;

@@ -1,8 +1,6 @@
 use midi::{Pedal, PedalMove};
 use scheduler::motion::{KeyEvent, Moment};
-use scheduler::observation::Switch;
-use scheduler::overload::Simplification;
-use scheduler::voice::VoiceFault;
+use scheduler::{observation::Switch, overload::Simplification, voice::VoiceFault};
 use telemetry::{Event, event::Kind};
 
 use super::ModelProbe;
@@ -147,8 +145,7 @@ fn of_none(kind: Kind, tick: u64, text: String) -> Event {
 
 #[cfg(test)]
 mod tests {
-    use scheduler::motion::KeySample;
-    use scheduler::observation::ModelSnapshot;
+    use scheduler::{motion::KeySample, observation::ModelSnapshot};
 
     use super::*;
     use crate::adapters::tick_recorder::RowFlags;

@@ -95,7 +95,6 @@ impl LinksWatch {
     }
 }
 
-/// Returns the numbers of the muted keys of a board with `first_key`.
 fn muted(first_key: u32, it: &BoardSnapshot) -> Vec<u32> {
     let keys = (first_key..).zip(&it.statistics.keys.muted);
     keys.filter_map(|(key, fault)| fault.is_some().then_some(key)).collect()
@@ -120,7 +119,6 @@ fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String 
     all.chain(muted).collect::<Vec<_>>().join("; ")
 }
 
-/// Returns `true` if a state changed to one that is not the normal one.
 fn news(before: &str, now: &str) -> bool {
     let is_well = ["armed", "active"].contains(&now);
     before != now && (!before.is_empty() || !is_well)
@@ -213,7 +211,6 @@ mod tests {
             "{told:?}"
         );
         look(board(ArmState::Armed));
-        // It tripped and was rearmed between two polls.
         let again = armed(ArmState::Armed, [None; MOST_KEYS], 3);
         let text = "board 3 on can0: armed; it had taken its forces away, and was armed anew";
         assert_eq!(look(again).1, [text]);

@@ -3,9 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use firmware_protocol::key::KeyIndex;
-use telemetry::event::Kind;
-use telemetry::log::Level;
-use telemetry::{Event, Links, Topic, Update, Voice};
+use telemetry::{Event, Links, Topic, Update, Voice, event::Kind, log::Level};
 
 use super::telemetry_thread::{Attention, MessageSink};
 
@@ -98,7 +96,6 @@ impl LogSink {
         }
     }
 
-    /// Logs the initial state of each board once; later changes arrive as events.
     fn boards(&mut self, links: &Links) {
         for board in &links.boards {
             let line = usize::try_from(board.line).ok().and_then(|it| links.lines.get(it));
@@ -224,7 +221,6 @@ const SPAN_S: u64 = 10;
 const SPAN: u64 = SPAN_S * 1_000_000_000;
 const LINES: u32 = 10;
 
-/// Counts written and held-back lines.
 #[derive(Debug, Default)]
 struct RateLimit(BTreeMap<Subject, LogWindow>);
 

@@ -70,7 +70,6 @@ struct WatchedGuard {
     modes: Vec<u8>,
 }
 
-/// Returns every guard of a model, in the order in which its modes name them.
 fn guards(entry: &ModelEntry) -> Vec<WatchedGuard> {
     let mut all: Vec<WatchedGuard> = Vec::new();
     for (number, mode) in (0..).zip(&entry.modes) {
@@ -89,7 +88,6 @@ const MOST_OUTPUTS: usize = 128;
 
 struct ProbedModel<M: Playable> {
     model: M,
-    /// State to write others into.
     shape: M::State,
     guards: Vec<WatchedGuard>,
 }

@@ -6,11 +6,10 @@ use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
 
 use documents::shown;
-use telemetry::event::Kind;
 use telemetry::recording::{
     BlackBox, RecordError, Recorder, RecordingLimits, RecordingSettings, RecordingStatus,
 };
-use telemetry::{Log, Topic, Update, log};
+use telemetry::{Log, Topic, Update, event::Kind, log};
 
 use super::telemetry_thread::{Attention, MessageSink, TelemetryMessage};
 use crate::report::RecordingReport;

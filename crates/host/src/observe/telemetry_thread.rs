@@ -1,15 +1,11 @@
 //! The thread that turns rows of ticks into messages for sinks.
 
-use std::collections::BTreeMap;
-use std::sync::atomic::Ordering;
-use std::sync::mpsc;
+use std::{collections::BTreeMap, sync::atomic::Ordering, sync::mpsc};
 
 use rtrb::Consumer;
-use scheduler::motion::KEYS;
 use scheduler::overload::{Simplification, Simplifications};
-use scheduler::voice::VoiceFault;
-use telemetry::event::Kind;
-use telemetry::{Catalogue, Topic, Update, Voice};
+use scheduler::{motion::KEYS, voice::VoiceFault};
+use telemetry::{Catalogue, Topic, Update, Voice, event::Kind};
 
 use super::block::{BlockBuilder, flag, flags, states};
 use super::deadlines::DeadlinesBuilder;
@@ -41,8 +37,7 @@ pub trait MessageSink: Send {
         keys.fold(0, |followed, key| followed | 1 << key)
     }
 
-    /// Returns `true` if a client connected since the last call. The sink then gets the state of
-    /// each key with rows that it wants.
+    /// Returns `true` if a client connected since the last call; the keys' state is then sent.
     fn has_newcomers(&mut self) -> bool {
         false
     }
@@ -202,7 +197,6 @@ impl TelemetryThread {
         self.follow();
     }
 
-    /// Sends the catalogue to the sinks, and keeps it for later ones.
     fn catalogue(&mut self, mut catalogue: Catalogue) {
         catalogue.began = self.began;
         catalogue.run = format!("{}-{}", catalogue.began, catalogue.version);
@@ -552,16 +546,12 @@ impl std::fmt::Debug for TelemetryThread {
 mod tests {
     use std::sync::{Arc, Mutex};
 
-    use scheduler::motion::KeySample;
-    use scheduler::observation::VoiceObservation;
     use scheduler::port::{FinishedTick as SeenTick, TickObserver as _};
-    use scheduler::voice::VoiceOutput;
+    use scheduler::{motion::KeySample, observation::VoiceObservation, voice::VoiceOutput};
 
     use super::*;
-    use crate::adapters::tick_recorder::TickRecorder;
-    use crate::observe::Pulses;
+    use crate::{adapters::tick_recorder::TickRecorder, observe::Pulses};
 
-    /// A window on key 5: a flag that opens it, and the received messages.
     #[derive(Clone, Default)]
     struct Window(Arc<Mutex<(bool, Vec<Update>)>>);
 
@@ -614,7 +604,6 @@ mod tests {
         }
         let messages = window.0.lock().expect("nobody panics with it").1.clone();
         let [Update::Block(block)] = messages.as_slice() else { panic!("{messages:?}") };
-        // First tick after the key is followed.
         assert_eq!((block.key, block.tick, block.position.as_slice()), (5, 41, &[0.004][..]));
     }
 }

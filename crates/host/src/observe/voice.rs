@@ -32,8 +32,7 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
     TelemetryMessage::Voice(Box::new(message), Some(probe))
 }
 
-/// Returns the name of the instrument's file, or of the embedded instrument with the values of
-/// `voice` on `key`.
+/// Returns the name of the file or embedded instrument with the values of `voice` on `key`.
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
     if let Some(file) = &voice.file {
         return Some(file.name.clone());

@@ -6,11 +6,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use firmware_protocol::key::KeyIndex;
 use midi::{Controller, Message};
 use serde::Serialize;
-use telemetry::event::Kind;
-use telemetry::{KeyBlock, Topic, Update};
+use telemetry::{KeyBlock, Topic, Update, event::Kind};
 
-use crate::midi_thread::NoteEnding;
-use crate::observe::MessageSink;
+use crate::{midi_thread::NoteEnding, observe::MessageSink};
 
 /// A difference between a replay and its recording.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
@@ -98,7 +96,6 @@ impl Comparison {
         }
     }
 
-    /// Compares the messages of both up to `tick`.
     pub(super) fn window(&mut self, tick: u64, replayed: &ReplayedMessages) {
         let (midi, mut rest): (VecDeque<_>, VecDeque<_>) =
             replayed.take_all().into_iter().partition(|it| matches!(it, Update::Midi(_)));

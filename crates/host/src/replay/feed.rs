@@ -4,8 +4,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::overload::Simplifications;
-use telemetry::event::Kind;
-use telemetry::{Event, KeyBlock, Ticks};
+use telemetry::{Event, KeyBlock, Ticks, event::Kind};
 
 use crate::observe::flag;
 
@@ -109,12 +108,10 @@ impl Feed {
         self.arms.insert(event.tick, arm);
     }
 
-    /// Returns the change of arming at `tick`, if any.
     pub(super) fn arm(&mut self, tick: u64) -> Option<Arm> {
         last_until(&mut self.arms, tick)
     }
 
-    /// Returns the change of omissions at `tick`, if any.
     pub(super) fn simplified(&mut self, tick: u64) -> Option<Simplifications> {
         last_until(&mut self.simplified, tick)
     }
@@ -166,7 +163,6 @@ pub(super) fn ticks(message: &Ticks) -> impl Iterator<Item = u64> {
     message.after.iter().map(|after| message.tick.saturating_add(u64::from(*after)))
 }
 
-/// Returns one row with its flags, if all columns have it.
 fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
     let tick = block.tick.checked_add(u64::from(*block.after.get(row)?))?;
     let flags = *block.flags.get(row)?;

@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 
 use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::observation::VoiceObservation;
 use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput, TickRules};
-use scheduler::slot::Slot;
-use scheduler::values::ModelValues;
-use scheduler::voice::VoiceOutput;
+use scheduler::{
+    observation::VoiceObservation, slot::Slot, values::ModelValues, voice::VoiceOutput,
+};
 
 use super::ReplayError;
 use super::feed::{KeyTick, LaneStatus};
@@ -23,7 +22,6 @@ pub(super) struct RecordedVoice {
     pub(super) render: Render,
 }
 
-/// A key's voice and its late ticks.
 struct ReplaySlot {
     slot: Slot<PanicGuard>,
     render: Render,
@@ -236,8 +234,7 @@ impl KeyBus for ReplayBus {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use scheduler::overload::Simplifications;
-    use scheduler::voice::Voice;
+    use scheduler::{overload::Simplifications, voice::Voice};
 
     struct Still;
 
@@ -247,7 +244,6 @@ mod tests {
         fn reset(&mut self, _sample: &KeySample) {}
     }
 
-    /// A slot whose lane was late in these ticks, after tick 38 reported `unrun`.
     fn caught_up(late: &[u64], unrun: u32) -> ReplaySlot {
         let mut slot = ReplaySlot {
             slot: Slot::new(3, PanicGuard::new(Box::new(Still))),

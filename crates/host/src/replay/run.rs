@@ -6,22 +6,17 @@ use midi::{PedalMove, VelocityCurve};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::time::{Nanos, Period, Timetable};
 use serde::Serialize;
-use telemetry::event::Kind;
-use telemetry::{Catalogue, Event, Ticks, Update, Voice};
+use telemetry::{Catalogue, Event, Ticks, Update, Voice, event::Kind};
 
-use super::ReplayError;
 use super::compare::{Comparison, ReplayDifference, ReplayedMessages};
 use super::feed::{Arm, Feed, ticks};
 use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
-use super::versions::RecordedVersions;
+use super::{ReplayError, versions::RecordedVersions};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
-use crate::adapters::tick_recorder::TickRecorder;
-use crate::midi_thread::MidiDispatcher;
 use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, pedal_move, voice};
 use crate::session::{MonitoredOutput, Watchers, nowhere};
-use engine::realtime::clock;
-use engine::realtime::run::scheduler;
-use engine::realtime::wake_fd::WakeFd;
+use crate::{adapters::tick_recorder::TickRecorder, midi_thread::MidiDispatcher};
+use engine::realtime::{clock, run::scheduler, wake_fd::WakeFd};
 use scene::{KeyVoice, Library, Render, Scene};
 
 /// Result of a replay.
@@ -116,7 +111,6 @@ struct ReplayEngine {
     last: u64,
 }
 
-/// Observers of the ticks, equal to those of the run.
 struct ReplaySinks {
     watchers: Watchers,
     telemetry: Box<TelemetryThread>,

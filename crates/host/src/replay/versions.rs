@@ -1,6 +1,4 @@
-use std::collections::BTreeMap;
-use std::path::Path;
-use std::sync::Arc;
+use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 use instruments::LoadedModel;
 use scene::Library;
@@ -16,8 +14,7 @@ pub(super) struct RecordedVersions {
 }
 
 impl RecordedVersions {
-    /// Reads the new descriptions of `catalogue` from the texts in it, whatever the files of the
-    /// same names contain now.
+    /// Reads the new descriptions of `catalogue` from its texts, whatever the files contain now.
     pub(super) fn learn(&mut self, catalogue: &Catalogue) -> Result<(), ReplayError> {
         for description in &catalogue.descriptions {
             if self.models.contains_key(&description.version) {

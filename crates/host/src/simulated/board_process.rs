@@ -1,7 +1,6 @@
-use boards::identity::ClaimedKeys;
 use boards::links::{Link, RecvError, SendError};
-use boards::refusal::reason_words;
 use boards::sim::board::{BoardMake, SimulatedBoard};
+use boards::{identity::ClaimedKeys, refusal::reason_words};
 use firmware_protocol::frame::hello::safe_reason;
 use scheduler::time::Nanos;
 

@@ -29,8 +29,7 @@ pub struct ExitReport {
     pub state: &'static str,
     /// Largest force of its motors now (N).
     pub force_n: f64,
-    /// Longest time from the loss of the permission to render until all motors were without
-    /// force (ms); none if it was never lost.
+    /// Longest time from the loss of permission until motors were without force (ms), if lost.
     pub quiet_after_ms: Option<f64>,
     /// Largest force without that permission, after the time to fade (N).
     pub force_while_safe_n: f64,

@@ -1,10 +1,8 @@
 use std::path::Path;
 
-use boards::links::address::Address;
-use boards::links::reconnecting::ReconnectingLink;
 use boards::links::serial::{self, Pty, Serial};
 use boards::links::wire::{Wire, WirePlan};
-use boards::links::{BusSide, HostClock, Link};
+use boards::links::{BusSide, HostClock, Link, address::Address, reconnecting::ReconnectingLink};
 use firmware_protocol::key::BoardId;
 
 use crate::connected_boards::now_us;

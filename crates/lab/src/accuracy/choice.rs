@@ -1,6 +1,5 @@
-use super::Effort;
 use super::method::{METHODS, NamedMethod, Setting};
-use super::study;
+use super::{Effort, study};
 use crate::scenario::{Plan, SCENARIOS, ScenarioEntry};
 
 /// Scenarios and methods of a study, and how thoroughly they are run.

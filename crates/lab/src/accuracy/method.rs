@@ -12,7 +12,6 @@ use cli::simulate::StudiedMethod;
 /// A compared method with its name.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NamedMethod {
-    /// Name on the command line and in reports.
     pub name: &'static str,
     /// Order of convergence as its authors state it.
     pub order: u32,

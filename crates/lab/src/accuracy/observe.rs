@@ -1,8 +1,8 @@
-use pode::Stepper;
-use pode::{Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Watch, Work};
+use pode::{
+    Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Stepper, Watch, Work,
+};
 
-use super::job::RunJob;
-use super::stepped::Stepped;
+use super::{job::RunJob, stepped::Stepped};
 use crate::scenario::{ForceKind, Plan, Scenario, StateOf, Studied};
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -57,8 +57,7 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Observ
     }
 }
 
-/// Returns the work of every tick, until the end or the first fault. Runs without a watch, as
-/// dense output inside a step may cost evaluations.
+/// Returns the work of every tick without a watch, until the end or the first fault.
 fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
     let mut simulator = job.simulator();
     let mut work = Vec::new();

@@ -1,12 +1,8 @@
 //! A scenario with its model's type erased.
 
-use super::Effort;
-use super::job::RunJob;
-use super::judge::judge;
 use super::method::{NamedMethod, Setting};
-use super::observe::observe;
 use super::row::{EvaluationCounts, StudyRow};
-use super::time::time;
+use super::{Effort, job::RunJob, judge::judge, observe::observe, time::time};
 use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
 use cli::simulate::MethodVisitor;
 use pode::Stepper;

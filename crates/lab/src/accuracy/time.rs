@@ -8,9 +8,7 @@ use std::time::{Duration, Instant};
 
 use pode::{Stepper, Work};
 
-use super::Effort;
-use super::job::RunJob;
-use super::row::Times;
+use super::{Effort, job::RunJob, row::Times};
 use crate::scenario::Scenario;
 
 pub(super) fn time<S: Scenario, T: Stepper>(

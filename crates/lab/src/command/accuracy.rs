@@ -1,8 +1,6 @@
 //! `letoff lab accuracy`: speed against error of every method.
 
-use std::io::Write;
-use std::path::PathBuf;
-use std::time::SystemTime;
+use std::{io::Write, path::PathBuf, time::SystemTime};
 
 use crate::accuracy::{Effort, METHODS, SequenceVerdict, StudyChoice, UnknownName, measure};
 use crate::report::{self, Machine, PAGE, StudyReport, read_peers};

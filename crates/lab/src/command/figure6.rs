@@ -1,7 +1,6 @@
 //! `letoff lab figure6`: the paper's experiment at the paper's own rates.
 
-use std::io::Write;
-use std::path::PathBuf;
+use std::{io::Write, path::PathBuf};
 
 use crate::figure6::{ClosedLoop, Figure6, Pace, TIME_SCALES, figure6, write_figure6};
 use crate::report::PAGE;

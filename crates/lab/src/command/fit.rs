@@ -1,7 +1,6 @@
 //! `letoff lab fit`: fits an instrument to a measured action.
 
-use std::io::Write;
-use std::path::PathBuf;
+use std::{io::Write, path::PathBuf};
 
 use crate::fit::{FitOutcome, FitSubject, MeasuredStroke, fit, read_stroke, write_fit};
 use crate::report::PAGE;

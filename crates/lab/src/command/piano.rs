@@ -3,8 +3,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use crate::piano::write_sheet;
-use crate::report::PAGE;
+use crate::{piano::write_sheet, report::PAGE};
 use clap::Args;
 use documents::{choice, quoted, shown};
 use figures::action::{Examination, Figure, JOBS, PianoSubject, examine, figure_names};

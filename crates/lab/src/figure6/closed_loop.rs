@@ -5,9 +5,8 @@ use instruments::SmallModel;
 use pode::Motion;
 
 use super::hand::{HandPath, LEAD_IN, RIG};
-use super::located::located;
 use super::model_run::{ModelRun, still};
-use super::sampled::SampledModel;
+use super::{located::located, sampled::SampledModel};
 
 /// A step of the model (s). `[GC93]` §6
 pub const STEP: f64 = 2e-3;

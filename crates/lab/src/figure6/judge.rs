@@ -4,10 +4,8 @@ use instruments::SmallModel;
 use pode::{Energetic as _, Motion};
 use serde::Serialize;
 
-use super::closed_loop::STEP;
-use super::located::located;
 use super::model_run::{Mode, ModelRun, RunEvent, mode_name, still};
-use super::sampled::SampledModel;
+use super::{closed_loop::STEP, located::located, sampled::SampledModel};
 use crate::scenario::{ExpectedEvent, Reference, ReferenceSample, Scenario};
 
 /// Method of stepping a model under a sampled input.

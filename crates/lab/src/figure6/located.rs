@@ -1,6 +1,5 @@
 use instruments::SmallModel;
-use pode::stepper::Rk4;
-use pode::{EnergyAudit, Limits, Motion, RunRecorder, Simulator};
+use pode::{EnergyAudit, Limits, Motion, RunRecorder, Simulator, stepper::Rk4};
 
 use super::model_run::{ModelRun, RunEvent, mode_name, row};
 

@@ -1,7 +1,6 @@
 //! Record of a model's run: a row at the end of each step, and its events.
 
-use instruments::NamedModes as _;
-use instruments::SmallModel;
+use instruments::{NamedModes as _, SmallModel};
 use pode::{Energetic as _, Model, Motion};
 
 pub(super) type Mode = <SmallModel as Model>::Mode;
@@ -52,7 +51,6 @@ pub struct ModelRun {
 }
 
 impl ModelRun {
-    /// Returns a run with its first row only.
     pub(super) fn new(model: &SmallModel, (mode, state): (Mode, ModelState), s: f64) -> Self {
         let rows = vec![row(model, 0.0, (mode, &state), s)];
         Self { rows, events: Vec::new(), made: 0.0 }

@@ -3,17 +3,12 @@
 use std::path::Path;
 
 use super::closed_loop::{ClosedLoop, RigRow};
-use super::hand;
-use super::judge::StepErrors;
-use super::model_run::RunRow;
 use super::outcome::{EventTimes, Figure6, event_times};
-use super::picture::picture;
-use crate::report::text::duration;
-use crate::report::{DiskError, Report, Table, TableCell};
-use figures::digits::trimmed;
+use super::{hand, judge::StepErrors, model_run::RunRow, picture::picture};
+use crate::report::{DiskError, Report, Table, TableCell, text::duration};
 use figures::plot::color::{CURVES, Stroke};
-use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
+use figures::{digits::trimmed, plot::marker::MarkerShape::Circle};
 
 const HOW: &str = "A hand that grips the handle of a simulated rig throws and catches the hammer of \
     model B: hand, encoder, model, motor, handle, and the hand again. The model is stepped as the \

@@ -72,8 +72,7 @@ impl FitCertainty {
         }
     }
 
-    /// Returns the worst parameter with an interval wider than its size, and those that can replace
-    /// it without a visible change of the data.
+    /// Returns the worst parameter with an interval wider than its size, and possible substitutes.
     pub(super) fn undetermined(&self, sizes: &[f64]) -> Option<(usize, Vec<usize>)> {
         let width = |at: &usize| self.halves[*at] / sizes[*at];
         let worst = (0..sizes.len()).max_by(|a, b| width(a).total_cmp(&width(b)))?;

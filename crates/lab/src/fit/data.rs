@@ -1,7 +1,6 @@
 //! Reads measured strokes from CSV files, and reports every mistake in them.
 
-use std::fmt;
-use std::path::Path;
+use std::{fmt, path::Path};
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 use documents::{choice, quoted, shown};
@@ -157,7 +156,6 @@ impl StrokeScan {
         self.rows.push((line, [t, travel, force]));
     }
 
-    /// Parses the number in a column; 0 for the time of a static curve.
     fn number(&mut self, record: &StringRecord, line: u64, column: usize) -> Option<f64> {
         let Some(place) = self.places[column] else { return Some(0.0) };
         let (name, text) = (COLUMNS[column], record.get(place).unwrap_or_default());

@@ -26,7 +26,6 @@ const CORRELATED: f64 = 0.95;
 #[derive(Clone, Debug, Serialize)]
 pub struct FittedParameter {
     pub name: &'static str,
-    /// Name in technicians' language.
     pub title: Box<str>,
     /// SI unit; `"1"` for a ratio.
     pub unit: &'static str,
@@ -298,7 +297,6 @@ pub(super) fn with_unit(value: f64, unit: &str) -> String {
     if unit == "1" { digits } else { format!("{digits} {unit}") }
 }
 
-/// Formats a number with four digits, without a power of ten if it is short.
 pub(super) fn four_digits(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse::<f64>().unwrap_or(value);
     let is_short = rounded == 0.0 || (1e-3..1e6).contains(&rounded.abs());

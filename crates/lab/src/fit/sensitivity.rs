@@ -4,8 +4,7 @@ use nalgebra_of_lm::DMatrix;
 
 use super::task::{Differences, FitTask};
 
-/// Wanted change of the forces by a step, root mean square, as a fraction of the present
-/// differences, or of the noise if that is more.
+/// Wanted RMS change of the forces by a step, over the present differences or the noise.
 const WANTED: f64 = 0.5;
 /// Shortest and longest step of a parameter, as fractions of its value.
 const PARTS: (f64, f64) = (1e-5, 0.05);

@@ -69,7 +69,6 @@ fn local(samples: &[(f64, f64)], at: usize, half: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Returns a smooth stroke of 10 mm in 0.1 s at 1 kHz, with uniform noise.
     fn stroke(noise: f64) -> Vec<(f64, f64)> {
         let mut state = 1_u64;
         let mut random = || {

@@ -4,8 +4,7 @@ use instruments::LoadedModel;
 use mechanism::unmet;
 use nalgebra_of_lm::DVector;
 
-use super::data::MeasuredStroke;
-use super::driven::DrivenStroke;
+use super::{data::MeasuredStroke, driven::DrivenStroke};
 use crate::random::SeededRandom;
 use figures::parallel::in_parallel;
 

@@ -7,8 +7,7 @@
 use figures::digits::rounded;
 use instruments::{LoadedModel, ModeName, Playable, Visitor};
 use nalgebra_of_lm::{Complex, DMatrix, DVector};
-use pode::stepper::Any;
-use pode::{Advance, Limits, Motion, Silent, Simulator};
+use pode::{Advance, Limits, Motion, Silent, Simulator, stepper::Any};
 
 use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};
 use crate::impedance::sampled::{APPROACH, smooth};

@@ -6,10 +6,9 @@ use crate::report::{DiskError, Report, Table, TableCell};
 use figures::action::{
     Examination, Figure, ForceCurve, PlayedStroke, StrokeTime, StrokeTouch, durations, speeds,
 };
-use figures::plot::axis::AxisScale;
 use figures::plot::color::{CURVES, Color, Stroke};
-use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
+use figures::plot::{axis::AxisScale, marker::MarkerShape::Circle};
 
 const GRANDS: [&str; 3] =
     ["Steinway C, measured", "Yamaha Disklavier, measured", "Bösendorfer, measured"];

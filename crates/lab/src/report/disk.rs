@@ -1,8 +1,7 @@
 //! Writes files that are complete or missing.
 
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use documents::shown;
 

@@ -1,9 +1,8 @@
 //! The most important comparison: cost at equal error of event times.
 
 use super::page::{Table, TableCell};
-use super::peers::Author;
 use super::summary::{Cheapest, TARGETS, failures, in_ticks, offline, peer};
-use super::{StudyReport, text};
+use super::{StudyReport, peers::Author, text};
 use crate::accuracy::MeasuredScenario;
 
 pub(super) const TEXT: &str = "ns per simulated ms of the cheapest run whose events are all right \

@@ -14,8 +14,7 @@ mod runs;
 mod summary;
 pub(crate) mod text;
 
-use std::path::Path;
-use std::time::SystemTime;
+use std::{path::Path, time::SystemTime};
 
 pub use disk::DiskError;
 pub use machine::Machine;

@@ -1,11 +1,9 @@
 //! A self-contained HTML page, and the files beside it.
 
-use std::fmt::Write as _;
-use std::path::Path;
+use std::{fmt::Write as _, path::Path};
 
 use super::{DiskError, PAGE, write_file};
-use figures::digits::rounded;
-use figures::plot::picture::Picture;
+use figures::{digits::rounded, plot::picture::Picture};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -136,7 +134,6 @@ impl Report {
         self.body += html;
     }
 
-    /// Adds a table, unless it has no rows.
     pub fn table(&mut self, table: &Table) {
         if !table.rows.is_empty() {
             self.body += &table.html();
@@ -150,14 +147,12 @@ impl Report {
             &["<details><summary>", &title, "</summary>\n", &html, "</details>\n"].concat();
     }
 
-    /// Adds a picture, also as the file `<name>.svg`.
     pub fn picture(&mut self, name: &str, picture: &Picture) {
         let svg = picture.svg();
         self.body += &["<figure>\n", &svg, "</figure>\n"].concat();
         self.file(format!("{name}.svg"), svg);
     }
 
-    /// Adds a table as the file `<name>.csv`.
     pub fn csv(&mut self, name: &str, table: &Table) {
         self.file(format!("{name}.csv"), table.csv());
     }

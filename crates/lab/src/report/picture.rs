@@ -52,7 +52,6 @@ struct CostErrorCurve {
     points: Vec<CostErrorPoint>,
 }
 
-/// Style of a curve; curves of other codes are dashed.
 #[derive(Clone, Copy, Debug)]
 struct CurveStyle {
     shape: MarkerShape,
@@ -60,7 +59,6 @@ struct CurveStyle {
 }
 
 const BLACK: Color = Color(0, 0, 0);
-/// Colour of the choice by need.
 const GREY: Color = Color(125, 125, 125);
 
 fn curves(measured: &MeasuredScenario) -> Vec<CostErrorCurve> {

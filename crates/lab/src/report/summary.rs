@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-use super::peers::Author;
-use super::{Machine, StudyReport, date, text};
+use super::{Machine, StudyReport, date, peers::Author, text};
 use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 
 /// Errors of event times (s) at which speed is compared.

@@ -2,8 +2,7 @@
 //!
 //! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), accumulating at t1 (1 + e)/(1 − e).
 
-use instruments::SmallModel;
-use instruments::{ModeCode, NamedModes as _};
+use instruments::{ModeCode, NamedModes as _, SmallModel};
 use pode::Motion;
 
 use super::{BadFile, ExpectedEvent, ForceKind, MS, ModeOf, Plan, Reference, Scenario};

@@ -29,7 +29,6 @@ pub(super) struct FallingHead {
     k: f64,
 }
 
-/// Flight or contact with the felt.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Mode {
     Flight,

@@ -1,7 +1,6 @@
 //! Strokes as functions of time, exact with their derivatives.
 
-use pode::Motion;
-use pode::series::add_bell;
+use pode::{Motion, series::add_bell};
 
 /// An input that is a sum of terms with size, time and width.
 pub(super) trait TermInput: Copy {

@@ -25,11 +25,10 @@ use instruments::SmallModel;
 use mechanism::Library;
 use pode::{Energetic, Model, Resets};
 
-use self::ball::BallScenario;
-use self::felt::FeltScenario;
-use self::head::HeadScenario;
-use self::pendulum::PendulumScenario;
 use self::stroke::{GrandStroke, RigidStroke, SpringsStroke};
+use self::{
+    ball::BallScenario, felt::FeltScenario, head::HeadScenario, pendulum::PendulumScenario,
+};
 
 /// Milliseconds (s).
 pub(crate) const MS: f64 = 1e-3;
@@ -51,11 +50,11 @@ pub trait Studied: Resets + Energetic + Clone + PartialEq + Debug {}
 
 impl<M: Resets + Energetic + Clone + PartialEq + Debug> Studied for M {}
 
-/// The input of a scenario's model.
+/// Input of a scenario's model.
 pub type InputOf<S> = <<S as Scenario>::Model as Model>::Input;
-/// A mode of a scenario's model.
+/// Mode of a scenario's model.
 pub type ModeOf<S> = <<S as Scenario>::Model as Model>::Mode;
-/// A state of a scenario's model.
+/// State of a scenario's model.
 pub type StateOf<S> = <<S as Scenario>::Model as Model>::State;
 
 /// A problem with a known answer.
@@ -101,7 +100,6 @@ pub enum ForceKind {
 /// A scenario with its name.
 #[derive(Clone, Copy, Debug)]
 pub struct ScenarioEntry {
-    /// Name on the command line and of the plot.
     pub name: &'static str,
     pub title: &'static str,
     pub source: &'static str,
@@ -249,7 +247,6 @@ mod tests {
         assert!(names.iter().all(|name| name.chars().all(fits)), "{names:?}");
     }
 
-    /// Checks that each tick divides the run and the times of samples.
     struct Misfit;
 
     impl ScenarioVisitor for Misfit {

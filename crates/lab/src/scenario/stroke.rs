@@ -1,9 +1,7 @@
 //! Instruments under a stroke, against trajectories of independent programs.
 
-use instruments::NamedModes as _;
-use instruments::SmallModel;
-use pode::Motion;
-use pode::series::INPUT_TERMS;
+use instruments::{NamedModes as _, SmallModel};
+use pode::{Motion, series::INPUT_TERMS};
 
 use super::file::{BadFile, ReferenceCase, ReferenceFile, file};
 use super::input::{Bells, Presses, TermInput};
@@ -92,11 +90,8 @@ impl<I: TermInput> Scenario for StrokeScenario<I> {
     }
 }
 
-/// Model A under two throws.
 pub(super) type RigidStroke = StrokeScenario<Bells<2>>;
-/// Model B under the paper's three throws.
 pub(super) type SpringsStroke = StrokeScenario<Bells<3>>;
-/// Model C under a press and its release.
 pub(super) type GrandStroke = StrokeScenario<Presses<2>>;
 
 /// Column of the readout in the trajectories of models A and B.

@@ -7,7 +7,6 @@ const DECADE: f64 = 10.0;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AxisTarget {
     Quantity(LoopQuantity),
-    /// Index of a parameter of the model.
     Parameter(usize),
 }
 
@@ -21,7 +20,6 @@ pub struct MapAxis {
     pub unit: String,
     /// Unit in pictures, and its number per unit of the values.
     pub shown: (String, f64),
-    /// Ends (in the values' unit).
     pub ends: (f64, f64),
 }
 
@@ -55,7 +53,6 @@ impl MapAxis {
         self.names().map_or(wanted, <[_]>::len)
     }
 
-    /// Returns the value at a fraction of the axis, 0 to 1.
     pub fn value(&self, part: f64) -> f64 {
         let (low, high) = self.ends;
         if let Some(names) = self.names() {
@@ -69,7 +66,6 @@ impl MapAxis {
         }
     }
 
-    /// Returns the fraction of the axis at `value`.
     pub fn part(&self, value: f64) -> f64 {
         let (low, high) = self.ends;
         if let Some(names) = self.names() {

@@ -1,6 +1,5 @@
 //! Zero lines of a function of two variables, joined from square to square.
 
-/// A point of the unit square.
 pub(super) type MapPlace = (f64, f64);
 
 /// Squares along each side.

@@ -93,7 +93,6 @@ enum Trend {
     Grows,
 }
 
-/// Returns the trend of a square that counts as zero below `floor`.
 fn trend([_, second, third, fourth]: [f64; 4], floor: f64) -> Trend {
     let falls = |from: f64, to: f64| to < (1.0 - SHARE) * from;
     if fourth <= floor || falls(second, third) && falls(third, fourth) {
@@ -109,7 +108,6 @@ fn trend([_, second, third, fourth]: [f64; 4], floor: f64) -> Trend {
 mod tests {
     use super::*;
 
-    /// Returns windows of 100 samples of a motion that changes by `factor` per sample.
     fn windows(factor: f64, force: f64) -> [WindowSums; 4] {
         let mut windows = [WindowSums::default(); 4];
         let mut velocity = 0.1_f64;

@@ -47,7 +47,6 @@ impl fmt::Debug for StabilitySubject<'_> {
 /// A subject, its key, and the variables of a map.
 #[derive(Clone, Debug)]
 pub struct StabilityStudy<'a> {
-    /// Name in the report.
     pub name: String,
     pub subject: StabilitySubject<'a>,
     /// Rig of the loop, for all that is no quantity: felts, return spring, largest force.
@@ -77,7 +76,6 @@ pub struct TheoryLine {
     pub theory: StabilityTheory,
     /// Boundary, in fractions of both axes.
     pub lines: Vec<Vec<MapPlace>>,
-    /// Crossings of each column.
     pub crossings: Vec<Vec<f64>>,
 }
 
@@ -108,7 +106,6 @@ impl StabilityStudy<'_> {
         self.axes.iter().map(|it| it.cells(self.cells)).product()
     }
 
-    /// Returns the loop at a point of the map.
     pub fn point(&self, (x, y): MapPlace) -> LoopPoint {
         let [along, up] = &self.axes;
         self.base.clone().with(along, along.value(x)).with(up, up.value(y))

@@ -1,14 +1,12 @@
 //! Draws a map: a colour for each verdict, the measured boundary, and the lines of theory.
 
-use super::axis::MapAxis;
-use super::judge::LoopVerdict;
 use super::map::{StabilityMap, StabilityStudy};
-use figures::plot::axis::AxisScale;
+use super::{axis::MapAxis, judge::LoopVerdict};
 use figures::plot::color::{Color, INK, Stroke};
-use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{
     CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel,
 };
+use figures::plot::{axis::AxisScale, marker::MarkerShape::Circle};
 
 /// Colours of theories, different from those of verdicts.
 const LINES: [Color; 4] =

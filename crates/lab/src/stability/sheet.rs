@@ -1,7 +1,6 @@
 //! The report: tables of all cells and of the boundary, a picture for each map, and one page.
 
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 use haptics::EstimatorName;
 use serde::Serialize;

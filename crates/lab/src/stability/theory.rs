@@ -2,9 +2,8 @@
 
 use haptics::{EstimatorName, RoundedDevice, SampledWall};
 
-use super::axis::LoopPoint;
-use super::poles::spectral_radius;
 use super::quantity::{LoopQuantity, LoopValues};
+use super::{axis::LoopPoint, poles::spectral_radius};
 
 /// Margin of a boundary: above zero inside, below zero outside.
 pub(super) type TheoryMargin = fn(&LoopValues) -> f64;
@@ -68,7 +67,6 @@ const POLES: StabilityTheory = StabilityTheory {
     needs: None,
 };
 
-/// Returns the theories for walls with this estimator.
 pub(super) fn theories(estimator: EstimatorName) -> Vec<StabilityTheory> {
     match estimator {
         EstimatorName::BackwardDifference => vec![PASSIVE, ROUNDED, LINEAR, POLES],

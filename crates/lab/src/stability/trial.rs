@@ -5,11 +5,9 @@
 //! of the key's time constant m / b, or a four-thousandth of the period if that is longer: the
 //! key's damping is implicit, so its velocity is correct there, too.
 
-use std::collections::VecDeque;
-use std::f64::consts::TAU;
+use std::{collections::VecDeque, f64::consts::TAU};
 
-use haptics::plant::MAX_SUBSTEP;
-use haptics::{Felt, FingerParameters, Gesture, KeyRig, RigParameters};
+use haptics::{Felt, FingerParameters, Gesture, KeyRig, RigParameters, plant::MAX_SUBSTEP};
 
 use super::judge::{LoopVerdict, WindowSums, judge};
 use super::quantity::{LoopQuantity, LoopValues};

@@ -44,7 +44,6 @@ impl TrialVoice for RenderedWall {
     }
 }
 
-/// Returns a rendered wall.
 pub fn wall(order: &VoiceOrder<'_>) -> Box<dyn TrialVoice> {
     let get = |quantity| order.values.get(quantity);
     let period = get(LoopQuantity::Period);

@@ -6,15 +6,13 @@
 
 mod synthetic;
 
-use std::error::Error;
-use std::sync::Arc;
 use std::time::{Duration, SystemTime};
+use std::{error::Error, sync::Arc};
 
 use synthetic::{KEY, Synthetic, TICK_HZ};
 use telemetry::Topic;
 use telemetry::stream::{Publisher, ServerSettings, StreamServer, serve};
 
-/// Rate of overviews (Hz).
 const FRAMES_HZ: u32 = 30;
 
 #[tokio::main(flavor = "current_thread")]

@@ -1,8 +1,7 @@
 //! A host without keys: two parameters of key 39, and generated messages.
 
-use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::{collections::BTreeMap, f64::consts::TAU};
 
 use telemetry::request::Change;
 use telemetry::stream::{Backend, ParameterSetting, Publisher, Who};
@@ -24,7 +23,6 @@ const PARAMETERS: [(&str, &str, f64, f64, &str, f64); 2] = [
 pub(crate) struct Synthetic {
     values: Mutex<BTreeMap<String, f64>>,
     asked: Mutex<Vec<(Request, Who)>>,
-    /// Publisher of changed values, once known.
     publisher: OnceLock<Publisher>,
     gone: Mutex<Vec<u64>>,
     /// Lock that another instrument waits for, as if it took long to build.
@@ -87,7 +85,6 @@ impl Synthetic {
         locked(&self.values).get(&format!("/key/{KEY}/{name}")).copied()
     }
 
-    /// Returns the requests so far, with their clients.
     pub(crate) fn asked(&self) -> Vec<(Request, Who)> {
         locked(&self.asked).clone()
     }
@@ -97,7 +94,6 @@ impl Synthetic {
         locked(&self.gone).clone()
     }
 
-    /// Publishes changed values by the first given `publisher`.
     pub(crate) fn tell_by(&self, publisher: Publisher) {
         self.publisher.get_or_init(|| publisher);
     }
@@ -135,7 +131,6 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns the catalogue: one model with the parameters.
 pub(crate) fn catalogue() -> Update {
     let parameters = PARAMETERS.map(|(name, unit, min, max, doc, _)| Parameter {
         name: name.to_owned(),
@@ -167,7 +162,6 @@ pub(crate) fn voice(key: u32, revision: u32) -> Update {
     Update::Voice(Voice { key, revision, model: "sine".to_owned(), values, ..Voice::default() })
 }
 
-/// Returns `ticks` ticks of key 39, which swings once a second.
 pub(crate) fn block(first: u64, ticks: u32) -> Update {
     let sine = |after: u32| {
         let seconds = (first + u64::from(after)) as f64 / f64::from(TICK_HZ);
@@ -185,7 +179,6 @@ pub(crate) fn block(first: u64, ticks: u32) -> Update {
     })
 }
 
-/// Returns all keys; one swings.
 #[expect(clippy::cast_possible_truncation, reason = "an overview is as fine as f32")]
 pub(crate) fn overview(tick: u64, ticks: u32) -> Update {
     let still = vec![0.0; KEYS];

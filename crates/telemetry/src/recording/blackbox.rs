@@ -1,8 +1,6 @@
 //! The last seconds, kept to be written when something fails.
 
-use std::collections::VecDeque;
-use std::path::Path;
-use std::time::Duration;
+use std::{collections::VecDeque, path::Path, time::Duration};
 
 use super::error::RecordError;
 use super::format::Labels;
@@ -17,7 +15,6 @@ pub struct BlackBox {
     /// Time for which a message is kept (ns).
     span: u64,
     most: usize,
-    /// The last seconds, the oldest first.
     ring: VecDeque<RawMessage>,
     bytes: usize,
     /// The last catalogue and voices before the ring.

@@ -4,9 +4,8 @@ use mcap::records::{MessageHeader, Record};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{McapError, McapResult};
 
-use super::declared::parse_record;
 use super::format::{LARGEST_CHUNK, LARGEST_RATIO};
-use super::zstd::Zstd;
+use super::{declared::parse_record, zstd::Zstd};
 
 /// Records of one chunk, which is decompressed and checked before the first.
 pub(super) struct Chunk {
@@ -40,8 +39,7 @@ impl Chunk {
         Self { reader, is_at_end: false, too_large }
     }
 
-    /// Returns the next channel, or the next message whose header `wants` accepts; no more after an
-    /// error.
+    /// Returns the next channel, or message whose header `wants` accepts; no more after an error.
     pub(super) fn next(
         &mut self,
         mut wants: impl FnMut(&MessageHeader) -> bool,

@@ -75,8 +75,7 @@ fn take_text<'a>(rest: &mut &'a [u8]) -> Option<&'a [u8]> {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-    use std::io::Cursor;
+    use std::{collections::BTreeMap, io::Cursor};
 
     use mcap::records::Metadata;
 

@@ -1,7 +1,6 @@
 //! Errors of recordings, each a sentence.
 
-use std::io;
-use std::path::PathBuf;
+use std::{io, path::PathBuf};
 
 use documents::shown;
 
@@ -25,25 +24,13 @@ pub enum RecordError {
          the recording ends here, and what is recorded is complete",
         .free >> 20, shown(.path), .lowest >> 20
     )]
-    LowDisk {
-        path: PathBuf,
-        /// Free space (B).
-        free: u64,
-        /// Space that must stay free (B).
-        lowest: u64,
-    },
+    LowDisk { path: PathBuf, free: u64, lowest: u64 },
     #[error(
         "{} is not begun: only {} MiB are free there, less than the {} MiB that are to stay; \
          free some, name a file on another disk, or allow less with --min-free",
         shown(.path), .free >> 20, .lowest >> 20
     )]
-    NoRoom {
-        path: PathBuf,
-        /// Free space (B).
-        free: u64,
-        /// Space that must stay free (B).
-        lowest: u64,
-    },
+    NoRoom { path: PathBuf, free: u64, lowest: u64 },
     /// The message is of a key beyond the 88.
     #[error("a message is of key {key}, and there are keys 0 to 87: it is not recorded")]
     NoSuchKey { key: u32 },

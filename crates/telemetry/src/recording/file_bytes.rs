@@ -1,10 +1,9 @@
 //! Bytes of a file or of embedded data, read on demand.
 
-use std::fmt;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
-use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
+use std::{fmt, path::Path};
 
 use crate::file;
 
@@ -12,7 +11,6 @@ trait ReadSeek: Read + Seek + fmt::Debug + Send {}
 
 impl<T: Read + Seek + fmt::Debug + Send> ReadSeek for T {}
 
-/// Bytes of an open file, or of an embedded one.
 #[derive(Debug)]
 pub(super) struct FileBytes {
     file: Mutex<Box<dyn ReadSeek>>,

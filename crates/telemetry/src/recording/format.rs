@@ -15,8 +15,7 @@ pub(super) const PROFILE: &str = "letoff";
 
 pub(super) const LIBRARY: &str = concat!("letoff ", env!("CARGO_PKG_VERSION"));
 
-/// Size at which a chunk is closed (B): small enough to be read at each move of a timeline, large
-/// enough to be worth compressing.
+/// Size at which a chunk is closed (B): quick to read for a timeline, and worth compressing.
 pub(super) const CHUNK: u64 = 1 << 20;
 
 /// Largest accepted chunk (B), compressed or not; a greater length is damage.
@@ -30,7 +29,6 @@ pub(super) const LARGEST_RATIO: u64 = 1024;
 pub(super) struct Labels {
     /// Name of the run: see `Catalogue.run`.
     pub(super) run: String,
-    /// Number of the file in the recording, from 1.
     pub(super) part: u32,
     pub(super) format: String,
 }
@@ -99,14 +97,12 @@ pub(super) const fn schema(topic: Topic) -> u16 {
     }
 }
 
-/// Returns the topics by their numbers in files that Letoff writes. Other tools may renumber them
-/// and name them in the file.
+/// Returns the topics by their numbers in Letoff's files; other tools may renumber them.
 pub(super) fn topics() -> BTreeMap<u16, Topic> {
     Topic::all().map(|topic| (channel(topic), topic)).collect()
 }
 
-/// Returns the path of part `part` of the recording with the first file `first`: `take-0002.mcap`
-/// of `take.mcap`.
+/// Returns the path of part `part` of a recording: `take-0002.mcap` of the first file `take.mcap`.
 pub(super) fn part_path(first: &Path, part: u32) -> PathBuf {
     if part <= 1 {
         return first.to_owned();

@@ -8,11 +8,9 @@ use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapError, McapResult};
 
 use super::chunk::{Chunk, Inside};
-use super::declared::parse_record;
-use super::error::cause;
-use super::file_bytes::FileBytes;
 use super::format::{self, LARGEST_CHUNK, Labels, PROFILE};
 use super::missing::{self, Defect, MissingNote};
+use super::{declared::parse_record, error::cause, file_bytes::FileBytes};
 use crate::Topic;
 
 /// Opcode and length of a record (B).
@@ -54,7 +52,6 @@ impl ChunkPosition {
 
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Index {
-    /// Positions in the order of the file.
     pub(super) positions: Vec<ChunkPosition>,
     /// Topics by the numbers of their channels.
     pub(super) topics: BTreeMap<u16, Topic>,
@@ -217,8 +214,7 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
     Ok((index, metadata))
 }
 
-/// Builds the index of a file without a usable summary by reading it from byte `start` on. After
-/// damaged lengths it continues at the next intact chunk.
+/// Reads the file from byte `start` on; after damaged lengths continues at the next intact chunk.
 pub(super) fn scan(file: &FileBytes, start: u64) -> io::Result<Index> {
     let mut index = Index::empty();
     let mut scan = IndexScan { up_to: start, has_end: false, damaged: 0 };

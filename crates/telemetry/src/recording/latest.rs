@@ -18,7 +18,6 @@ pub(super) struct Latest {
 }
 
 impl Latest {
-    /// Stores `raw` if it is a catalogue or a voice.
     pub(super) fn note(&mut self, raw: &RawMessage) {
         if raw.topic == Topic::Catalogue {
             let old = self.catalogue.replace(raw.clone());

@@ -6,9 +6,7 @@ use std::fmt;
 use documents::shortened;
 
 use super::reader::{Messages, Recording};
-use crate::event::Kind;
-use crate::source::Mark;
-use crate::{Event, Topic, Update, key_name};
+use crate::{Event, Topic, Update, event::Kind, key_name, source::Mark};
 
 /// Time within which late ticks are one mark (ns): each of them may be late.
 const LATE: u64 = 1_000_000_000;

@@ -26,7 +26,6 @@ impl Defect {
         Self { wrong, is_left_out: false }
     }
 
-    /// Returns a defect that a recovered file reports.
     pub(super) const fn left_out(wrong: String) -> Self {
         Self { wrong, is_left_out: true }
     }
@@ -48,7 +47,6 @@ impl Defect {
 /// An unreadable piece of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MissingPiece {
-    /// The file that lacks it.
     pub path: PathBuf,
     pub(super) defect: Defect,
     /// Times of its first and last message (ns since 1970), as far as known.

@@ -1,22 +1,18 @@
 //! One file that is being written.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::{fmt, sync::Arc};
 
 use mcap::records::{MessageHeader, Metadata};
-use mcap::write::NoSeek;
-use mcap::{Compression, McapError, WriteOptions, Writer};
+use mcap::{Compression, McapError, WriteOptions, Writer, write::NoSeek};
 
 use super::error::{RecordError, cause};
 use super::format::{self, CHUNK, LIBRARY, Labels, PROFILE};
-use super::latest::Latest;
-use super::missing::MissingNote;
-use super::raw_message::RawMessage;
+use super::{latest::Latest, missing::MissingNote, raw_message::RawMessage};
 use crate::{DESCRIPTORS, Topic};
 
 /// Size of a message beside its bytes: its record and its place in the index (B).
@@ -131,7 +127,6 @@ impl RecordingPart {
         Ok(())
     }
 
-    /// Closes the open chunk and passes everything to the system.
     pub(super) fn flush(&mut self) -> Result<(), RecordError> {
         if self.pending > 0 {
             self.summary += self.chunk_index();

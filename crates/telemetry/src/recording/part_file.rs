@@ -8,13 +8,11 @@ use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapResult};
 
 use super::chunk::{Chunk, Inside};
-use super::declared::parse_record;
 use super::error::{OpenError, cause};
-use super::file_bytes::FileBytes;
 use super::format::{LARGEST_CHUNK, Labels, PROFILE};
 use super::index::{self, ChunkPosition, Index};
 use super::missing::{Defect, MissingPiece};
-use super::raw_message::RawMessage;
+use super::{declared::parse_record, file_bytes::FileBytes, raw_message::RawMessage};
 use crate::{Topic, Update};
 
 /// Size of the beginning that contains header and metadata (B).
@@ -65,7 +63,6 @@ impl PartFile {
         Ok(part)
     }
 
-    /// Returns the labels on which most copies in the file agree.
     fn labels(&self, head: FileStart) -> Result<Labels, OpenError> {
         let (first, is_cut) = match head {
             FileStart::Ours(labels, _) => (Some(labels), false),
@@ -204,7 +201,6 @@ impl fmt::Debug for PartFile {
 enum FileStart {
     /// A recording, its labels, and their end (B).
     Ours(Labels, u64),
-    /// An MCAP file without the profile of a recording.
     Foreign,
     /// The file is cut off before its labels.
     Cut,
@@ -221,7 +217,6 @@ impl FileStart {
     }
 }
 
-/// Returns the part's number in its file name; 1 if there is none.
 fn part_number(path: &Path) -> u32 {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let number = stem.rsplit_once('-').filter(|(_, number)| number.len() == 4);

@@ -1,24 +1,18 @@
 //! A recording that a window shows as if it were a live host.
 
 use std::collections::{BTreeSet, VecDeque};
-use std::fmt;
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
-use std::thread;
-use std::time::Duration;
+use std::{fmt, sync::Arc, thread, time::Duration};
 
 use documents::shown;
 
-use super::error::ReadError;
-use super::marks::marks;
-use super::missing::MissingPiece;
-use super::part_file::PartFile;
-use super::raw_message::RawMessage;
 use super::reader::{Recording, update};
-use super::walk::Walk;
-use crate::log::Level;
+use super::{
+    error::ReadError, marks::marks, missing::MissingPiece, part_file::PartFile,
+    raw_message::RawMessage, walk::Walk,
+};
 use crate::source::{Mark, Ticket};
-use crate::{Arrival, ConnectionState, Log, Request, Source, Timeline, Topic, Update};
+use crate::{Arrival, ConnectionState, Log, Request, Source, Timeline, Topic, Update, log::Level};
 
 /// Time before a position that a window gets, too (ns): enough for its scopes.
 const BEFORE: u64 = 5_000_000_000;
@@ -83,7 +77,6 @@ impl Playback {
         playback
     }
 
-    /// Begins again at each end, with [`Arrival::Anew`].
     #[must_use]
     pub fn repeating(mut self) -> Self {
         self.repeats = true;
@@ -257,7 +250,6 @@ impl fmt::Debug for Playback {
 
 struct PlaybackStream {
     walk: Walk,
-    /// The next message, which is not due yet.
     due: Option<RawMessage>,
 }
 
@@ -288,7 +280,6 @@ fn log(at: u64, level: Level, text: String) -> Arrival {
     arrival(at, Update::Log(Log { level: level.into(), text }))
 }
 
-/// Collects a recording's marks on a separate thread; none if no thread can be started.
 fn gather(recording: Arc<Recording>) -> Receiver<Mark> {
     let (sender, receiver) = channel();
     let gatherer = thread::Builder::new().name("letoff-marks".to_owned());

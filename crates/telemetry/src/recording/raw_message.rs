@@ -1,6 +1,5 @@
 use super::error::RecordError;
-use crate::topic::TopicDecodeError;
-use crate::{Topic, Update};
+use crate::{Topic, Update, topic::TopicDecodeError};
 
 /// A message as it is stored in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -5,15 +5,12 @@ use std::path::{Path, PathBuf};
 use documents::shown;
 use mcap::records::MessageHeader;
 
-use super::chunk::Inside;
 use super::error::{OpenError, ReadError};
-use super::file_bytes::FileBytes;
 use super::format::{first_path, part_path};
-use super::index::ChunkPosition;
-use super::missing::MissingPiece;
-use super::part_file::PartFile;
-use super::raw_message::RawMessage;
-use super::walk::Walk;
+use super::{
+    chunk::Inside, file_bytes::FileBytes, index::ChunkPosition, missing::MissingPiece,
+    part_file::PartFile, raw_message::RawMessage, walk::Walk,
+};
 use crate::{Catalogue, KEYS, Topic, Update, Voice};
 
 /// A recording of one or several files. Opening it reads only the positions of its chunks; a file
@@ -111,7 +108,6 @@ impl Recording {
         Messages { recording: self, walk: Walk::new(from, last.unwrap_or(0), topics) }
     }
 
-    /// Returns every message, in the order of writing.
     pub fn messages(&self) -> Messages<'_> {
         Messages { recording: self, walk: Walk::new(0, u64::MAX, Topic::all().collect()) }
     }

@@ -6,12 +6,10 @@ use std::path::{Path, PathBuf};
 use documents::shown;
 
 use super::error::{OpenError, RecordError};
-use super::latest::Latest;
-use super::missing::MissingNote;
-use super::part::RecordingPart;
-use super::part_file::PartFile;
-use super::raw_message::RawMessage;
-use super::reader::Recording;
+use super::{
+    latest::Latest, missing::MissingNote, part::RecordingPart, part_file::PartFile,
+    raw_message::RawMessage, reader::Recording,
+};
 
 /// Result of recovering a file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -62,7 +60,6 @@ fn before_reading(part: &PartFile) -> Recovered {
     Recovered { cut, ..Recovered::default() }
 }
 
-/// Copies every readable message of `old` to `new`, and completes `new`.
 fn save(
     old: &Recording,
     mut new: RecordingPart,

@@ -3,9 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::chunk::{Chunk, Inside};
-use super::missing::MissingPiece;
-use super::part_file::PartFile;
-use super::raw_message::RawMessage;
+use super::{missing::MissingPiece, part_file::PartFile, raw_message::RawMessage};
 use crate::Topic;
 
 /// Cursor in a recording's messages, with one chunk in memory at a time.

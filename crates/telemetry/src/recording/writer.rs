@@ -1,6 +1,4 @@
-use std::collections::VecDeque;
-use std::fs;
-use std::path::PathBuf;
+use std::{collections::VecDeque, fs, path::PathBuf};
 
 use super::error::RecordError;
 use super::format::{Labels, part_path};
@@ -35,8 +33,7 @@ pub struct Recorder {
     last: u64,
 }
 
-/// Time between two repetitions of catalogue, voices and labels (ns): a damaged piece destroys none
-/// of them.
+/// Time between two repetitions of catalogue, voices and labels, against damage (ns).
 const AGAIN: u64 = 30_000_000_000;
 
 /// Repetitions take at most one part in this many of a file.
@@ -210,7 +207,6 @@ impl Recorder {
         again.iter().try_for_each(|raw| self.add(raw))
     }
 
-    /// Removes the oldest files while another full one would exceed the limit.
     fn make_room(&mut self) -> Result<(), RecordError> {
         loop {
             let bytes: u64 = self.complete.iter().map(|(_, bytes)| bytes).sum();

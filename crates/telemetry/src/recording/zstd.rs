@@ -1,7 +1,6 @@
 //! Decompression of zstd, which other programs may use: the recorder itself uses lz4.
 
-use std::fmt::Display;
-use std::io::Read as _;
+use std::{fmt::Display, io::Read as _};
 
 use mcap::sans_io::decompressor::{DecompressResult, Decompressor};
 use mcap::{McapError, McapResult};

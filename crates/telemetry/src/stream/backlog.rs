@@ -56,7 +56,6 @@ impl<T> Backlog<T> {
         Some(entry.what)
     }
 
-    /// Removes the entries for which `is_gone` holds.
     pub(crate) fn forget(&mut self, is_gone: impl Fn(&T) -> bool) {
         self.waiting.retain(|entry| !is_gone(&entry.what));
         let passing = self.waiting.iter().filter(|entry| entry.worth == Worth::Passing);

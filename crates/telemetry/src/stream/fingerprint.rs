@@ -1,7 +1,6 @@
 //! The fingerprint of a certificate.
 
-use std::fmt;
-use std::str::FromStr;
+use std::{fmt, str::FromStr};
 
 use data_encoding::HEXUPPER;
 

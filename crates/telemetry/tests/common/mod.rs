@@ -57,7 +57,6 @@ pub(crate) fn voice(key: u32, revision: u32, model: &str, instrument: &str) -> U
     })
 }
 
-/// Returns a reproducible number like noise: 0 to 1.
 pub(crate) fn noise(seed: u64) -> f64 {
     let mut bits = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5555_5555;
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -105,7 +104,6 @@ pub(crate) fn event(kind: Kind, tick: u64, theta: f64, key: u32) -> Update {
     Update::Event(Event { kind: kind.into(), ..event })
 }
 
-/// Returns the messages of a host in so many ticks: every topic, three keys.
 pub(crate) fn performance(ticks: u64) -> Vec<(u64, Update)> {
     let mut told = vec![(at(0), catalogue())];
     told.extend(KEYS.map(|key| (at(0), voice(key, key, "springs", "grand"))));
@@ -149,14 +147,12 @@ pub(crate) fn limited(path: &Path, change: impl FnOnce(&mut RecordingLimits)) ->
     settings
 }
 
-/// Returns a new folder and the path of a recording in it.
 pub(crate) fn unrecorded() -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
     (folder, path)
 }
 
-/// Records at such a place.
 pub(crate) fn recorded(told: &[(u64, Update)]) -> (TempDir, PathBuf) {
     let (folder, path) = unrecorded();
     record(&path, told);
@@ -175,7 +171,6 @@ pub(crate) fn record_as(settings: RecordingSettings, told: &[(u64, Update)]) -> 
     recorder.finish().expect("a complete file")
 }
 
-/// Returns everything readable, and the errors.
 pub(crate) fn read(recording: &Recording) -> (Vec<(u64, Update)>, Vec<String>) {
     let (mut told, mut wrong) = (Vec::new(), Vec::new());
     for message in recording.messages() {

@@ -86,7 +86,6 @@ fn an_older_file_that_says_once_what_it_is_is_read_without_that() {
     assert!(refused <= 1, "{refused}");
 }
 
-/// Returns the same messages with channels numbered in the order of appearance.
 fn renumber(bytes: &[u8]) -> Vec<u8> {
     let mut file = std::io::Cursor::new(Vec::new());
     let options = mcap::WriteOptions::new().profile("letoff");
@@ -97,7 +96,6 @@ fn renumber(bytes: &[u8]) -> Vec<u8> {
     for message in mcap::MessageStream::new(bytes).expect("messages") {
         let message = message.expect("a message");
         if message.publish_time != message.log_time {
-            // This channel is a repetition.
             continue;
         }
         let nothing = std::collections::BTreeMap::new();

@@ -1,9 +1,7 @@
-use std::collections::BTreeSet;
-use std::fs;
+use std::{collections::BTreeSet, fs};
 
-use telemetry::event::Kind;
 use telemetry::recording::{Recording, Selection, export_csv};
-use telemetry::{Event, KeyBlock, Update};
+use telemetry::{Event, KeyBlock, Update, event::Kind};
 
 use crate::common::{
     BLOCK, at, block, catalogue, event, performance, record, recorded, unrecorded, voice,
@@ -17,7 +15,6 @@ fn a_table_has_every_row_and_every_signal() {
     let exported = export_csv(&recording, folder.path(), &selection).expect("exported");
     assert_eq!((exported.rows, exported.events), (2000, 20));
     let [events, key] = &exported.files[..] else { panic!("{:?}", exported.files) };
-
     let mut table = csv::Reader::from_path(key).expect("a table");
     let header = table.headers().expect("a header").iter().collect::<Vec<_>>().join(",");
     let expected = "t [s],tick,position [m],force [N],sent [N],mode,flags,fault,hammer [m],\
@@ -35,7 +32,6 @@ fn a_table_has_every_row_and_every_signal() {
         assert_eq!(speed.to_bits(), first.signals[3 * index + 1].to_bits());
     }
     assert_eq!(&rows[1999][1], "1999");
-
     let mut table = csv::Reader::from_path(events).expect("a table");
     let row = table.records().nth(1).expect("a second").expect("a row");
     // 100 ticks and 0.1 + 0.2 of one, which is not 0.3.
@@ -66,7 +62,6 @@ fn a_key_whose_model_changes_has_two_tables() {
         (at(0), voice(39, 39, "springs", "grand")),
         (at(1), Update::Event(switch)),
         (at(20), both),
-        // A little later than its first rows.
         (at(21), voice(39, 40, "wall", "brick")),
         (at(22), event(Kind::Fault, 21, 0.0, 39)),
     ];

@@ -15,7 +15,6 @@ fn zeros(length: u64) -> Vec<u8> {
     let mut frame = vec![0x28, 0xb5, 0x2f, 0xfd, 0, 0x38];
     let n = length / BLOCK;
     for block in 1..=n {
-        // One byte, again and again.
         let header = (BLOCK << 3) | 2 | u64::from(block == n);
         frame.extend(&header.to_le_bytes()[..3]);
         frame.push(0);
@@ -23,10 +22,8 @@ fn zeros(length: u64) -> Vec<u8> {
     frame
 }
 
-/// Returns a chunk of `length` bytes, compressed to `data`.
 fn chunk(compression: &str, length: u64, data: &[u8]) -> Vec<u8> {
     let mut body = [0_u64.to_le_bytes(), 1_u64.to_le_bytes(), length.to_le_bytes()].concat();
-    // It has no checksum.
     body.extend(0_u32.to_le_bytes());
     body.extend(u32::try_from(compression.len()).expect("a word").to_le_bytes());
     body.extend(compression.as_bytes());

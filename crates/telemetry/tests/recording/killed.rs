@@ -11,7 +11,6 @@ use crate::common::{at, performance, read, settings};
 /// Variable with the path for [`it_records_until_it_is_killed`].
 const TO: &str = "LETOFF_TEST_RECORD_TO";
 
-/// The host; it does nothing without the variable.
 #[test]
 fn it_records_until_it_is_killed() {
     let Some(path) = env::var_os(TO) else { return };

@@ -1,8 +1,5 @@
-use std::collections::BTreeSet;
-use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread;
+use std::{collections::BTreeSet, path::Path, sync::Arc, thread};
 
 use telemetry::event::Kind;
 use telemetry::recording::{Playback, Recording, marks};
@@ -12,7 +9,6 @@ use telemetry::{
 
 use crate::common::{at, event, performance, record, recorded, unrecorded};
 
-/// Returns a playback, and the milliseconds of its clock.
 fn played(path: &Path) -> (Playback, Arc<AtomicU64>) {
     let millis = Arc::new(AtomicU64::new(0));
     let clock = Arc::clone(&millis);
@@ -21,7 +17,6 @@ fn played(path: &Path) -> (Playback, Arc<AtomicU64>) {
     (Playback::new(recording, Box::new(seconds)), millis)
 }
 
-/// Returns the arrivals: topics with times; `None` for Anew.
 fn come(playback: &mut Playback) -> Vec<Option<(u64, Topic)>> {
     let mut come = Vec::new();
     while let Some(arrival) = playback.next() {
@@ -57,7 +52,6 @@ fn it_begins_with_catalogue_and_voices_and_goes_on_by_the_clock() {
     playback.set_speed(0.0);
     clock.store(10_000, Ordering::Relaxed);
     assert_eq!((come(&mut playback).len(), playback.at()), (0, at(70)));
-    // The end limits the position, and NaN has no effect.
     playback.set_speed(f64::NAN);
     assert!(playback.speed().abs() < f64::EPSILON);
     playback.set_speed(1e300);
@@ -80,7 +74,6 @@ fn a_repeating_playback_begins_again_at_its_end() {
     let anew = second.iter().position(Option::is_none).expect("it begins again");
     assert_eq!(second[anew + 1], Some((at(0), Topic::Catalogue)));
     assert_eq!(playback.at(), at(0));
-    // A playback that is paused at its end stays there.
     playback.set_speed(0.0);
     playback.seek(end);
     come(&mut playback);
@@ -149,7 +142,6 @@ fn a_key_that_lies_still_for_long_comes_with_its_last_rows() {
 fn a_topic_that_is_followed_anew_does_not_run_ahead() {
     let (_folder, path) = recorded(&performance(8000));
     let (mut playback, clock) = played(&path);
-    // Once a second: the position of the next is already known.
     playback.follow(&BTreeSet::from([Topic::Links]));
     clock.store(2100, Ordering::Relaxed);
     assert_eq!(ticks(&come(&mut playback), Topic::Links), [20, 1020, 2020]);
@@ -170,7 +162,6 @@ fn a_recording_refuses_what_is_asked() {
     let (_folder, path) = recorded(&performance(100));
     let (mut playback, _clock) = played(&path);
     let ticket = playback.ask(Request::Stop {});
-    // Seeking loses no answer.
     playback.seek(at(50));
     let reply = std::iter::from_fn(|| playback.next()).find_map(|arrival| match arrival {
         Arrival::Reply { ticket, result } => Some((ticket, result)),

@@ -1,7 +1,6 @@
 //! A recording of several files, and its end.
 
-use std::fs;
-use std::time::Duration;
+use std::{fs, time::Duration};
 
 use telemetry::Update;
 use telemetry::recording::{
@@ -26,8 +25,6 @@ fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
     let recording = Recording::open(&path).expect("a recording");
     assert_eq!(recording.files().count(), recorded.files.len());
     assert_eq!(read(&recording), (told.clone(), vec![]));
-
-    // Each file can be understood alone, and leads to those after it.
     let third = Recording::open(&recorded.files[2]).expect("a recording");
     assert_eq!(third.catalogue().expect("read").map(Update::Catalogue), Some(catalogue()));
     let (from, to) = third.span().expect("messages");
@@ -106,7 +103,6 @@ fn a_file_that_breaks_off_before_the_next_is_a_hole_also_once_it_is_recovered() 
     let [hole] = wrong.as_slice() else { panic!("{wrong:?}") };
     assert!(hole.contains("take-0002.mcap breaks off at byte "), "{hole}");
     let (_, when) = hole.split_once("what it had from ").expect("when");
-
     let made = folder.path().join("made.mcap");
     recover(&second, &made).expect("recovered");
     let alone = Recording::open(&made).expect("a recording");
@@ -171,7 +167,6 @@ fn a_message_of_no_key_is_refused_and_the_recording_goes_on() {
     assert_eq!(recorder.finish().expect("complete").messages, 1);
 }
 
-/// Counts the messages that a host that dies now would leave.
 fn left_behind(path: &std::path::Path) -> usize {
     read(&Recording::open(path).expect("a recording")).0.len()
 }
@@ -189,7 +184,6 @@ fn nothing_waits_in_memory_for_longer_than_asked() {
             assert!(second_ago <= left_behind(&path));
         }
     }
-    // No more messages come, and only the caller's clock continues.
     recorder.attend(5_000_000_000).expect("attended");
     recorder.attend(6_000_000_000).expect("attended");
     assert_eq!(left_behind(&path), told.len());

@@ -1,11 +1,8 @@
 //! Messages are read as they were recorded.
 
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeSet, fs, path::Path};
 
-use telemetry::recording::Recording;
-use telemetry::{Status, Topic, Update};
+use telemetry::{Status, Topic, Update, recording::Recording};
 
 use crate::common::{
     KEYS, at, catalogue, event, performance, read, record, record_as, recorded, settings,

@@ -1,7 +1,6 @@
 //! A recording that was cut or changed: no panic, and no loss before the damage.
 
-use std::fs;
-use std::sync::LazyLock;
+use std::{fs, sync::LazyLock};
 
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -13,7 +12,6 @@ use crate::common::{noise, performance, read, record, settings, unrecorded};
 /// Messages with their times (ns since 1970).
 type Told = Vec<(u64, Update)>;
 
-/// A small recording of several chunks: messages and file.
 static RECORDED: LazyLock<(Told, Vec<u8>)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("whole.mcap");
@@ -22,7 +20,6 @@ static RECORDED: LazyLock<(Told, Vec<u8>)> = LazyLock::new(|| {
     (told, fs::read(path).expect("the file"))
 });
 
-/// Counts the messages in whole chunks before byte `at`.
 fn whole_before(bytes: &[u8], at: usize) -> usize {
     let mut messages = 0;
     let mut offset = mcap::MAGIC.len();
@@ -37,7 +34,6 @@ fn whole_before(bytes: &[u8], at: usize) -> usize {
             let record = mcap::parse_record(head[0], body).expect("a chunk");
             let mcap::records::Record::Chunk { header, data } = record else { unreachable!() };
             let inside = mcap::read::ChunkReader::new(header, &data).expect("a chunk");
-            // Repetitions do not count.
             let is_told = |it: &mcap::records::Record<'_>| {
                 matches!(it, mcap::records::Record::Message { header, .. }
                     if header.log_time == header.publish_time)
@@ -49,7 +45,6 @@ fn whole_before(bytes: &[u8], at: usize) -> usize {
     messages
 }
 
-/// Counts the messages of each chunk without repetitions.
 fn messages_of_chunks(bytes: &[u8]) -> Vec<usize> {
     let summary = mcap::Summary::read(bytes).expect("a summary").expect("there is one");
     let mut chunks = summary.chunk_indexes.clone();
@@ -61,7 +56,6 @@ fn messages_of_chunks(bytes: &[u8]) -> Vec<usize> {
     chunks.iter().map(first_told).collect()
 }
 
-/// Returns the messages except catalogue and voices, which are repeated after a loss.
 fn but_for_what_is_said_again(told: &[(u64, Update)]) -> Vec<&(u64, Update)> {
     let is_said_again = |it: &Update| matches!(it, Update::Catalogue(_) | Update::Voice(_));
     told.iter().filter(|(_, update)| !is_said_again(update)).collect()
@@ -131,7 +125,6 @@ fn what_is_said_again_is_read_once_and_in_the_place_of_what_was_lost() {
     let new = folder.path().join("new.mcap");
     let recovered = recover(&path, &new).expect("recovered");
     assert_eq!((recovered.messages, recovered.damaged), (found.len() as u64, 1));
-    // A second recovery reports the same messages and losses.
     let again = folder.path().join("again.mcap");
     let copied = recover(&new, &again).expect("a copy");
     assert_eq!((copied.messages, copied.damaged, copied.wrong.len()), (recovered.messages, 0, 1));
@@ -156,7 +149,6 @@ fn a_recording_that_breaks_off_and_is_damaged_is_read_behind_the_damage() {
     let (third, last) = (byte(chunks[2].chunk_start_offset), &chunks[chunks.len() - 2]);
     let cut = byte(last.chunk_start_offset + last.chunk_length);
     let lost = messages_of_chunks(whole)[2];
-    // The kind of the record, its length, and its contents.
     for hit in [third, third + 1, third + 3, third + 8, third + 100] {
         let mut bytes = whole[..cut].to_vec();
         bytes[hit] ^= 0x10;
@@ -204,7 +196,6 @@ fn a_hole_costs_the_chunks_that_it_hits_and_their_neighbours_at_most_and_garbage
     }
 }
 
-/// Returns a place in a file: anywhere, near its beginning or near its end.
 fn place() -> impl Strategy<Value = Place> {
     prop_oneof![
         3 => any::<Index>().prop_map(Place::Anywhere),
@@ -280,7 +271,6 @@ proptest! {
         let lost = found.len() < told.len();
         prop_assert!(!lost || recording.tear().is_some() || !wrong.is_empty(), "lost in silence");
         prop_assert!(wrong.iter().all(|it| it.contains(" is damaged at byte ")), "{wrong:?}");
-        // The other readers must bear it as well.
         let _voices = recording.voices_at(u64::MAX);
         let _catalogue = recording.catalogue();
         let _marks = telemetry::recording::marks(&recording).count();
@@ -328,7 +318,6 @@ fn what_a_dying_host_leaves_behind_is_read_and_made_whole() {
     let (found, _) = read(&recording);
     assert!(told.len() - found.len() < told.len() / 5, "a second of three at most");
     assert_eq!(found[..], told[..found.len()]);
-
     let whole = folder.path().join("whole.mcap");
     let recovered = recover(&torn, &whole).expect("recovered");
     let (what, _advice) = tear.split_once(": ").expect("what is wrong, and advice");

@@ -4,10 +4,9 @@
 pub(crate) mod synthetic;
 
 use std::net::{SocketAddr, TcpStream};
-use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver};
-use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+use std::{sync::Arc, thread::JoinHandle};
 
 use synthetic::Synthetic;
 use telemetry::source::Ticket;
@@ -17,8 +16,7 @@ use telemetry::stream::{
     Backend, Client, Closer, Dial, Fingerprint, Publisher, ServerSettings, StreamServer, serve,
 };
 use telemetry::{Arrival, ConnectionState, Reply, Request, Source as _, Topic, Update};
-use tokio::runtime::Handle;
-use tokio::sync::oneshot;
+use tokio::{runtime::Handle, sync::oneshot};
 use tokio_tungstenite::tungstenite::client::ClientRequestBuilder;
 use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
 use tokio_tungstenite::tungstenite::{Error, Message, WebSocket, client::client_with_config};
@@ -26,7 +24,6 @@ use tokio_tungstenite::tungstenite::{Error, Message, WebSocket, client::client_w
 /// Last resort on a busy machine.
 pub(crate) const PATIENCE: Duration = Duration::from_mins(2);
 
-/// A host that is served until it is dropped.
 pub(crate) struct TestServer {
     pub(crate) address: SocketAddr,
     pub(crate) url: String,
@@ -40,13 +37,11 @@ pub(crate) struct TestServer {
 }
 
 impl TestServer {
-    /// Starts a server with `settings`, at any port unless they name one.
     pub(crate) fn with(settings: ServerSettings) -> Self {
         let host = Arc::new(Synthetic::default());
         Self::of(settings, Arc::clone(&host), host)
     }
 
-    /// Like [`Self::with`], but asks `backend` instead of `host`.
     pub(crate) fn of(
         mut settings: ServerSettings,
         host: Arc<Synthetic>,
@@ -84,19 +79,16 @@ impl TestServer {
         Self::with(ServerSettings { limits, ..ServerSettings::default() })
     }
 
-    /// Returns a client of ours that is connected.
     pub(crate) fn watcher(&self) -> Watcher {
         let mut watcher = Watcher::new(Dial { address: self.url.clone(), ..Dial::default() });
         watcher.connected();
         watcher
     }
 
-    /// Returns a raw client that has read nothing yet.
     pub(crate) fn raw_client(&self) -> RawClient {
         RawClient::connect(self.address, "/", &[]).expect("a connection")
     }
 
-    /// Publishes overviews until `watcher`, which follows them, gets one.
     pub(crate) fn meet(&self, watcher: &mut Watcher) {
         watcher.follow(&[Topic::Overview]);
         eventually("a client follows", || self.publisher.is_followed(Topic::Overview));
@@ -123,7 +115,6 @@ pub(crate) fn eventually(what: &str, mut is_so: impl FnMut() -> bool) {
     }
 }
 
-/// A client of ours with methods that wait.
 pub(crate) struct Watcher {
     pub(crate) client: Client,
     woken: Receiver<()>,
@@ -153,7 +144,6 @@ impl Watcher {
         while self.next() != Arrival::Anew {}
     }
 
-    /// Waits for a message that `found` accepts.
     #[track_caller]
     pub(crate) fn update<T>(&mut self, found: impl Fn(Update) -> Option<T>) -> T {
         loop {
@@ -185,7 +175,6 @@ impl Watcher {
         self.client.follow(&topics.iter().copied().collect());
     }
 
-    /// Waits for a state of the connection that `is_so` accepts.
     #[track_caller]
     pub(crate) fn stands(&mut self, is_so: impl Fn(&ConnectionState) -> bool) -> ConnectionState {
         eventually("the standing", || is_so(&self.client.standing()));
@@ -193,18 +182,15 @@ impl Watcher {
     }
 }
 
-/// Returns a change of one of key 39's parameters.
 pub(crate) fn set(parameter: &str, value: f64) -> telemetry::request::Change {
     telemetry::request::Change { key: 39, parameter: parameter.to_owned(), value }
 }
 
-/// A client that may violate the protocol.
 pub(crate) struct RawClient {
     pub(crate) socket: WebSocket<TcpStream>,
 }
 
 impl RawClient {
-    /// Tries to connect with more headers.
     pub(crate) fn connect(
         address: SocketAddr,
         path: &str,
@@ -241,7 +227,6 @@ impl RawClient {
         self.socket.read().map_err(Box::new)
     }
 
-    /// Returns the next text of the server that `found` accepts.
     #[track_caller]
     pub(crate) fn hear_text<T>(&mut self, found: impl Fn(FromServer) -> Option<T>) -> T {
         loop {

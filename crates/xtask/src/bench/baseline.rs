@@ -1,9 +1,7 @@
 //! Results of benches in a file, as multiples of the calibration; and the benches that got slower.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
-use std::fs;
-use std::path::Path;
+use std::{fmt, fs, path::Path};
 
 use crate::error::Error;
 

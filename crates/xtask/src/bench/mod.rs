@@ -8,10 +8,7 @@
 mod baseline;
 mod sample;
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
-use std::process::Stdio;
+use std::{collections::BTreeMap, fs, path::Path, process::Stdio};
 
 use crate::command::{cargo, root, run, target};
 use crate::error::Error;
@@ -29,7 +26,6 @@ const SHORT: &str = "--warm-up-time 0.1 --measurement-time 0.3 --sample-size 20 
 /// Loop that is the unit of all others.
 const CALIBRATION: &str = "calibration";
 
-/// Path of the baseline, from the workspace's root.
 const BASELINE: &str = "benches/baseline.toml";
 
 /// Use of the measurements.
@@ -39,7 +35,6 @@ pub(crate) enum BaselineUse {
     Write,
 }
 
-/// Measures, and compares with or writes the baseline.
 pub(crate) fn measure(usage: BaselineUse) -> Result<(), Error> {
     let path = root().join(BASELINE);
     let before = match usage {

@@ -1,8 +1,6 @@
 //! Reads criterion's samples of a bench, JSON of one known form.
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeMap, fs, path::Path};
 
 use crate::error::Error;
 

@@ -3,9 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::command;
-use crate::error::Error;
-use crate::files;
+use crate::{command, error::Error, files};
 
 const MAINTAINER: &str = "The Letoff authors <letoff@users.noreply.github.com>";
 

@@ -1,8 +1,6 @@
 //! Reads `deny.toml`, the rules for linked crates, also for `cargo deny`.
 
-use crate::command::root;
-use crate::error::Error;
-use crate::files;
+use crate::{command::root, error::Error, files};
 
 /// Returns the quoted texts of each line of the list called `key`.
 pub(super) fn list(key: &str) -> Result<Vec<Vec<String>>, Error> {
@@ -21,7 +19,6 @@ mod tests {
     use super::*;
     use crate::command::{self, cargo};
 
-    /// Returns the crates of a Debian package with their versions.
     fn built() -> Vec<String> {
         let target = ["--target", "x86_64-unknown-linux-gnu"];
         let all = ["tree", "--locked", "--offline", "--workspace", "--edges", "no-dev"];

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::deny;
 use crate::command::{self, cargo};
-use crate::error::Error;
-use crate::files;
+use crate::{error::Error, files};
 
 /// Prefixes of file names with such texts, in lower case.
 const NAMES: [&str; 6] = ["license", "licence", "copying", "copyright", "notice", "unlicense"];

@@ -9,11 +9,9 @@ mod tree;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::apt;
 use crate::command::{self, cargo, target};
-use crate::error::Error;
-use crate::files;
 use crate::tools::{self, Tool};
+use crate::{apt, error::Error, files};
 use control::PackageFacts;
 
 /// Profile of packages: optimised across crates.

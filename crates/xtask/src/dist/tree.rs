@@ -1,12 +1,9 @@
 //! Layout of the package.
 
-use std::path::Path;
-use std::process::Command;
+use std::{path::Path, process::Command};
 
 use super::{PROGRAMS, control, licences};
-use crate::command;
-use crate::error::Error;
-use crate::files;
+use crate::{command, error::Error, files};
 
 /// Copied files with their destinations; documents keep relative places for their links.
 const COPIES: [(&str, &str); 5] = [

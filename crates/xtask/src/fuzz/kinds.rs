@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
 use crate::command::{self, root};
-use crate::error::Error;
-use crate::files;
+use crate::{error::Error, files};
 
 pub(super) struct FuzzKind {
     pub(super) name: &'static str,
@@ -16,14 +15,12 @@ pub(super) struct FuzzKind {
     good: GoodFiles,
 }
 
-/// Source of good files.
 enum GoodFiles {
     /// All files of a folder with the kind's ending, below the workspace's root.
     Folder(&'static str),
     Text(&'static str),
     Stroke,
     Recording,
-    /// Calibration of a simulated board, which is started.
     Calibration,
 }
 
@@ -133,7 +130,6 @@ pub(super) const KINDS: [FuzzKind; 10] = [
     },
 ];
 
-/// A kind with its good files, and processes that must live meanwhile.
 pub(super) struct PreparedKind {
     pub(super) good: Vec<Vec<u8>>,
     /// The only path at which the program reads such files, if there is one.
@@ -150,7 +146,6 @@ impl Drop for PreparedKind {
 }
 
 impl FuzzKind {
-    /// Collects or makes good files, with `program` in `folder`.
     pub(super) fn prepare(&self, program: &Path, folder: &Path) -> Result<PreparedKind, Error> {
         let mut it = PreparedKind { good: Vec::new(), place: None, board: None };
         let has_ending = |path: &PathBuf| path.extension().is_some_and(|it| it == self.ending);
@@ -191,7 +186,6 @@ impl FuzzKind {
     }
 }
 
-/// Returns `program`, to be run in `folder` with all of its files there.
 fn in_folder(program: &Path, folder: &Path) -> Command {
     let mut command = Command::new(program);
     command.current_dir(folder).stdin(Stdio::null());
@@ -199,7 +193,6 @@ fn in_folder(program: &Path, folder: &Path) -> Command {
     command
 }
 
-/// Returns the rows of a key that goes down by 10 mm in 50 ms.
 fn stroke() -> String {
     let row = |n: u32| {
         let t = f64::from(n) * 1e-3;

@@ -4,13 +4,11 @@ mod kinds;
 mod mutate;
 mod trial;
 
-use std::ffi::OsString;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::{ffi::OsString, io::Write as _};
 
 use crate::command::{self, cargo, target};
-use crate::error::Error;
-use crate::files;
+use crate::{error::Error, files};
 use kinds::{FuzzKind, KINDS, PreparedKind};
 use mutate::{FuzzRandom, mutated};
 use trial::FuzzTrial;
@@ -18,7 +16,6 @@ use trial::FuzzTrial;
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct FuzzOptions {
     pub(crate) mutations: u64,
-    /// Only kind to try; `None` tries all.
     pub(crate) kind: Option<String>,
     pub(crate) seed: u64,
     /// Program to test; built if `None`.
@@ -26,7 +23,6 @@ pub(crate) struct FuzzOptions {
 }
 
 impl FuzzOptions {
-    /// Parses the words after `fuzz`; `None` asks for help.
     pub(crate) fn parse(arguments: impl Iterator<Item = OsString>) -> Result<Option<Self>, Error> {
         let mut it = Self { mutations: 1000, kind: None, seed: 1994, program: None };
         let mut arguments = arguments.map(|it| it.to_string_lossy().into_owned());
@@ -65,7 +61,6 @@ impl KindReport {
     }
 }
 
-/// Gives damaged files to the program, prints the results, and keeps failing files.
 pub(crate) fn run(options: &FuzzOptions) -> Result<(), Error> {
     let program = options.program.clone().map_or_else(build, Ok)?;
     let folder = target()?.join("fuzz");
@@ -91,7 +86,6 @@ fn build() -> Result<PathBuf, Error> {
     Ok(target()?.join("release/letoff"))
 }
 
-/// Gives damaged files of `kind` to the program, and prints each failure.
 fn try_kind(
     kind: &FuzzKind,
     options: &FuzzOptions,
@@ -133,7 +127,6 @@ fn try_kind(
     Ok(report)
 }
 
-/// Gives one damaged file to the program; returns the result with the command line.
 fn try_file(
     kind: &FuzzKind,
     (prepared, number): (&PreparedKind, u64),

@@ -7,7 +7,6 @@ const EXTREMES: &str = "0 -1 255 65536 2147483648 9223372036854775807 1e-308 1e3
 /// Lengths and counts on which readers of binary formats fail.
 const EXTREME_WORDS: [u32; 4] = [0, 1, 0x7FFF_FFFF, 0xFFFF_FFFF];
 
-/// Maximum nesting and repetitions.
 const DEEPEST: usize = 5000;
 
 /// Distance from an end of a file that counts as near (bytes).
@@ -42,7 +41,6 @@ impl FuzzRandom {
         }
     }
 
-    /// Returns a range of up to `longest` bytes of `bytes`.
     fn piece(&mut self, bytes: &[u8], longest: usize) -> (usize, usize) {
         let start = self.below(bytes.len() + 1);
         (start, (start + self.below(longest + 1)).min(bytes.len()))

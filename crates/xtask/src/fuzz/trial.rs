@@ -1,10 +1,8 @@
 //! One run of the program, with limits of memory and processor time.
 
-use std::io;
-use std::path::Path;
 use std::process::{Command, Stdio};
+use std::{io, path::Path};
 
-/// Memory limit of the program (KiB).
 const MEMORY: &str = "3000000";
 
 /// Limit of the processor time (s), enforced by the system.

@@ -1,16 +1,10 @@
 //! The guest's file system: our program, a few others, and the kernel's modules.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::{collections::BTreeSet, process::Command};
 
-use super::kernel::Kernel;
-use super::{GuestCheck, GuestSystem};
-use crate::command;
-use crate::error::Error;
-use crate::files;
-use crate::needs;
-use crate::tools;
+use super::{GuestCheck, GuestSystem, kernel::Kernel};
+use crate::{command, error::Error, files, needs, tools};
 
 const FOLDERS: [&str; 9] =
     ["bin", "dev", "modules", "new", "proc", "sys", "this", "tmp", "written"];
@@ -75,14 +69,12 @@ fn install(programs: &[PathBuf], root: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Copies the file at the absolute `path` to the same place below `root`.
 fn copy(path: &Path, root: &Path) -> Result<(), Error> {
     let place = root.join(path.strip_prefix("/").unwrap_or(path));
     files::make(place.parent().unwrap_or(root))?;
     files::copy(path, &place)
 }
 
-/// Parses the paths in the output of `ldd`.
 fn libraries(ldd: &str) -> Vec<PathBuf> {
     ldd.split_whitespace().filter(|word| word.starts_with('/')).map(PathBuf::from).collect()
 }

@@ -3,11 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::apt;
-use crate::command;
-use crate::error::Error;
-use crate::files;
-use crate::tools;
+use crate::{apt, command, error::Error, files, tools};
 
 /// Packages that depend on the newest kernel: Debian's, Ubuntu's.
 const NEWEST: [&str; 2] = ["linux-image-amd64", "linux-image-generic"];
@@ -59,7 +55,6 @@ fn known_packages() -> Vec<String> {
     packages
 }
 
-/// Returns the kernel packages on which `package` depends.
 fn dependencies(package: &str) -> Vec<String> {
     let output = Command::new("apt-cache").args(["depends", package]).output();
     output.map_or_else(|_no_apt| Vec::new(), |it| parts(&String::from_utf8_lossy(&it.stdout)))
@@ -116,7 +111,6 @@ fn find(folder: &Path) -> Result<Kernel, Error> {
     Ok(Kernel { image, modules: modules(folder)? })
 }
 
-/// Returns the folder of the only version's modules.
 fn modules(folder: &Path) -> Result<PathBuf, Error> {
     let versions = files::list(&folder.join("lib/modules"))?;
     let none = || Error::unobtainable("the kernel's modules", "its package has none");

@@ -1,16 +1,13 @@
 //! Boots virtual machines, reads their consoles, and ends them after their time.
 
 use std::io::{BufRead as _, BufReader};
-use std::path::Path;
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{path::Path, thread};
 
-use super::system::GuestSystem;
-use super::verdict::HeardNotes;
-use crate::command;
-use crate::error::Error;
+use super::{system::GuestSystem, verdict::HeardNotes};
+use crate::{command, error::Error};
 
 /// Maximum silence of all guests, at any total time.
 const SILENCE_LIMIT: Duration = Duration::from_mins(3);
@@ -26,7 +23,6 @@ pub(super) struct VirtualMachine<'a> {
     pub kernel: &'a Path,
     pub initrd: &'a Path,
     pub system: GuestSystem,
-    /// Part of the checks that it runs.
     pub part: &'static str,
 }
 

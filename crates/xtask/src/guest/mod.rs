@@ -13,15 +13,11 @@ mod system;
 mod verdict;
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc;
-use std::time::Duration;
+use std::{sync::mpsc, time::Duration};
 
-use crate::apt;
 use crate::command::{self, cargo, target};
-use crate::dist;
-use crate::error::Error;
-use crate::stage::Done;
 use crate::tools::{self, Tool};
+use crate::{apt, dist, error::Error, stage::Done};
 use kernel::Kernel;
 use machine::VirtualMachine;
 pub(crate) use system::GuestSystem;
@@ -48,7 +44,6 @@ pub(crate) struct GuestCheck {
     pub files: Vec<(&'static str, Vec<u8>)>,
     /// Parts of the checks, each in its own emulated machine; `$part` in the guest.
     pub parts: &'static [&'static str],
-    /// Maximum time of all checks.
     pub time_limit: Duration,
     /// The build of `letoff` under test.
     pub program: TriedProgram,

@@ -9,7 +9,6 @@ pub(crate) enum GuestSystem {
 }
 
 impl GuestSystem {
-    /// Returns the script that is the guest's first program.
     pub(super) const fn init(self) -> &'static str {
         match self {
             Self::Busybox => include_str!("init.sh"),

@@ -4,7 +4,6 @@ use std::fmt;
 
 use crate::error::Error;
 
-/// Results of the checks so far.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct HeardNotes {
     n_passed: usize,

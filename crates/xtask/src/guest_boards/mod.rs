@@ -24,10 +24,8 @@ pub(crate) const PROGRAMS: [Tool; 7] = [
 const MODULES: [&str; 7] =
     ["can-raw", "vcan echo=1", "sch-netem", "sch-tbf", "usb-f-acm", "dummy-hcd num=8", "cdc-acm"];
 
-/// Extent of the checks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum CheckScope {
-    /// Checks of every change.
     Short,
     Full,
 }

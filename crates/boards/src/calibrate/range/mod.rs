@@ -19,8 +19,7 @@ mod tried_value;
 use haptics::{AnyEstimator, EnergyBound, Estimator as _, PassivityObserver};
 
 use self::tried_value::{KeyResponse, TriedValue};
-use super::key_push::KeyPush;
-use super::{CalibrationFault, Next, Rested, Travelled};
+use super::{CalibrationFault, Next, Rested, Travelled, key_push::KeyPush};
 
 pub use object::RangedObject;
 
@@ -58,8 +57,7 @@ pub enum RangeEnd {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RangeFound {
     pub object: RangedObject,
-    /// Largest value with which the key came to rest, twice unless nothing ended the rise; `None`
-    /// if it shook with all.
+    /// Largest value with which the key came to rest, twice if the rise ended; `None` if it shook.
     pub good: Option<f64>,
     pub end: RangeEnd,
 }
@@ -159,8 +157,7 @@ impl RangeMeasurement {
         Ok(found.map_or(Next::Push(push), Next::Done))
     }
 
-    /// Returns the rendered value: while the key is placed, at most as much as needs a quarter of
-    /// the largest force.
+    /// Returns the rendered value: while the key is placed, for at most 1/4 of the largest force.
     fn rendered(&self) -> f64 {
         match (self.phase, self.object) {
             (RangePhase::Placing(_), RangedObject::Spring) => {
@@ -185,8 +182,7 @@ impl RangeMeasurement {
         periods * self.terms.period
     }
 
-    /// Returns the push on the key (N): the object's, the one that carries its weight, and the
-    /// pulse towards the middle.
+    /// Returns the push on the key (N): the object's, against its weight, and the pulse.
     fn push(&mut self, wanted: f64, t: f64, position: f64, tried: &TriedValue) -> f64 {
         let limit = self.terms.limit;
         let held = wanted.clamp(-limit, limit);

@@ -12,7 +12,6 @@ impl RangedObject {
     /// All objects, the easiest first.
     pub const ALL: [Self; 3] = [Self::Spring, Self::Dashpot, Self::Mass];
 
-    /// Returns its name, which is that of its instrument.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Spring => "spring",

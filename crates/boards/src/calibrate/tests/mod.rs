@@ -10,8 +10,7 @@ const H: f64 = 1e-3;
 
 const RESTED: Rested = Rested { position: 0.0, spread: 0.0 };
 
-/// Lets `advance` push a key of this rig, whose motor gives `strength` per commanded newton and
-/// whose sensor reads `read` of its position.
+/// Lets `advance` push a key; `strength` is per commanded newton, `read` is the sensor.
 fn work<T>(
     rig: RigParameters,
     strength: f64,

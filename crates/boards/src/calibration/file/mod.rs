@@ -1,7 +1,6 @@
 //! Calibration on the disk: a file for each board.
 //!
-//! TOML, not to be edited by people: a checksum over all values makes a changed or cut file
-//! invalid.
+//! TOML, not to be edited by people: a checksum over all values detects changed or cut files.
 
 mod read;
 mod sheet;
@@ -20,7 +19,6 @@ pub use read::{load, load_partial};
 pub use sheet::CalibrationSheet;
 pub use write::{backup, partial, write};
 
-/// Returns the folder of this user's files.
 pub fn usual_folder() -> Option<PathBuf> {
     let set = |name: &str| std::env::var_os(name).filter(|it| !it.is_empty()).map(PathBuf::from);
     let base = set("XDG_CONFIG_HOME").or_else(|| Some(set("HOME")?.join(".config")))?;

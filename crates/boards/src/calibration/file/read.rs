@@ -1,7 +1,6 @@
 //! Reader of a calibration file, which reports all of its faults.
 
-use std::fmt;
-use std::path::Path;
+use std::{fmt, path::Path};
 
 use documents::shown;
 use firmware_protocol::key::{MOST_KEYS, PerKey};
@@ -9,8 +8,7 @@ use firmware_protocol::quantity::Counts;
 use toml_edit::{Document, Item, Table};
 
 use super::CalibrationSheet;
-use crate::calibration::KeyCalibration;
-use crate::identity::Uid;
+use crate::{calibration::KeyCalibration, identity::Uid};
 
 /// Readings of 24 bits (counts).
 const READINGS: (f64, f64) = (Counts::MIN.get() as f64, Counts::MAX.get() as f64);

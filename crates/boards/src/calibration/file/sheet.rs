@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 
 use firmware_protocol::key::PerKey;
 
-use crate::calibration::KeyCalibration;
-use crate::identity::Uid;
+use crate::{calibration::KeyCalibration, identity::Uid};
 
 const HEAD: &str = "\
 # How the keys of one board read and push, as `letoff calibrate` has measured it.

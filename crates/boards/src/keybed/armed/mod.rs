@@ -4,11 +4,8 @@ mod proof;
 mod refusals;
 
 use crate::links::Link as _;
-use firmware_protocol::Nothing;
-use firmware_protocol::acyclic::Operation;
-use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
-use firmware_protocol::key::KeyIndex;
+use firmware_protocol::{Nothing, acyclic::Operation, acyclic::stream::Stream, key::KeyIndex};
 use haptics::plant::Gesture;
 use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
@@ -71,7 +68,6 @@ pub struct LineReport {
     pub statistics: LineStatistics,
     pub medium: Option<Medium>,
     pub load: Option<MeterWindow>,
-    /// Reason why it is down for good, if it is.
     pub fault: Option<String>,
 }
 
@@ -103,7 +99,6 @@ impl Armed {
         }
     }
 
-    /// Returns the state of the line or board at `place`, lines first; `None` behind the last.
     fn snapshot(
         bus: &KeybedBus,
         supervisor: &BoardSupervisor,
@@ -187,8 +182,7 @@ impl Keybed<Armed> {
         Armed::snapshot(&self.stage.bus, &self.stage.supervisor, place)
     }
 
-    /// Returns the receiver of snapshots of all lines and boards, once a second, for ticks at
-    /// `tick_hz` (1/s); not for the tick.
+    /// Returns a ring of link snapshots, one per second of ticks at `tick_hz`; not for the tick.
     pub fn monitor(&mut self, tick_hz: u32) -> Consumer<LinkSample> {
         let (monitor, samples) = LinkMonitor::new(tick_hz);
         self.stage.monitor = Some(monitor);
@@ -281,8 +275,7 @@ impl Keybed<Armed> {
         told
     }
 
-    /// Ends forces and samples of every board without waiting for answers. A board that was
-    /// stopped, or has failed, is left as it is for its operator.
+    /// Ends forces and samples of all boards without waiting; skips stopped and failed boards.
     pub fn disarm(&mut self) {
         let Armed { bus, supervisor, .. } = &self.stage;
         let boards = bus.boards().iter().enumerate();
@@ -341,8 +334,6 @@ const fn exchanged(statistics: &BoardStatistics) -> (u64, u64) {
 }
 
 impl KeyBus for Keybed<Armed> {
-    /// Processes the frames of all lines.
-    ///
     /// # Real-time
     /// At most 128 frames and one request for each board; no heap.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
@@ -360,8 +351,6 @@ impl KeyBus for Keybed<Armed> {
         }
     }
 
-    /// Sends each board its forces.
-    ///
     /// # Real-time
     /// One frame for each board; no heap.
     fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {

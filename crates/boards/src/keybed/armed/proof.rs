@@ -3,8 +3,7 @@
 use scheduler::motion::{KEYS, KeySlope};
 use scheduler::port::KeyBus as _;
 
-use super::refusals::slot_names;
-use super::{BoardReport, Keybed};
+use super::{BoardReport, Keybed, refusals::slot_names};
 use crate::keybed::{Armed, LOOK};
 use crate::refusal::{Refusal, Refusals};
 use crate::rt::key_fault::KeyFault;
@@ -86,7 +85,6 @@ impl Keybed<Armed> {
     }
 }
 
-/// Returns `true` if a motor of a board has failed its proof, and no other has passed.
 fn has_unmoved_keys(report: &BoardReport) -> bool {
     let keys = &report.statistics.keys;
     let muted = keys.muted[..report.place.n_keys].iter().enumerate();

@@ -1,5 +1,4 @@
-use firmware_protocol::acyclic::Operation;
-use firmware_protocol::key::KeyIndex;
+use firmware_protocol::{acyclic::Operation, key::KeyIndex};
 
 use super::{Armed, BoardReport};
 use crate::keybed::{Keybed, address};
@@ -70,7 +69,6 @@ impl Keybed<Armed> {
 }
 
 impl Keybed<Armed> {
-    /// Returns the untaken forces of the board of `key`, if they are the majority.
     pub(crate) fn untaken_forces(&self, key: KeyIndex) -> Option<UntakenForces> {
         let mut reports = self.board_reports().into_iter();
         reports.find(|it| it.place.keys().contains(&key.index()))?.untaken_forces()

@@ -1,7 +1,6 @@
 //! Identifiers that an end of the bus receives.
 
-use firmware_protocol::can::Class;
-use firmware_protocol::frame::ALL_BOARDS;
+use firmware_protocol::{can::Class, frame::ALL_BOARDS};
 
 use super::BusSide;
 
@@ -35,10 +34,8 @@ fn id(class: Class, node: u8) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use firmware_protocol::can::identifier;
-    use firmware_protocol::key::BoardId;
+    use firmware_protocol::{can::identifier, key::BoardId};
 
-    /// Returns `true` if `side` receives a frame with these two first bytes.
     fn hears(side: BusSide, head: [u8; 2]) -> bool {
         let id = u32::from(identifier(&head).unwrap());
         filters(side).iter().any(|(wanted, mask)| id & mask == wanted & mask)

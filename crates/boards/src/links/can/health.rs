@@ -71,7 +71,6 @@ mod tests {
         let mut health = Health::default();
         health.note(report(0x040, 0));
         assert_eq!(health, Health { state: WireState::Off, reports: 1, ..Health::default() });
-        // Transmission timeout and restart in one report.
         health.note(report(0x101, 0));
         let again = Health { reports: 2, restarts: 1, ..Health::default() };
         assert_eq!(health, again);

@@ -14,8 +14,7 @@ mod socket;
 
 #[cfg(target_os = "linux")]
 use self::{port::CanPort, socket::Socket};
-use super::address::BoardLinkKind;
-use super::{BusSide, Health, Link, RecvError, SendError};
+use super::{BusSide, Health, Link, RecvError, SendError, address::BoardLinkKind};
 use crate::links::Error;
 use crate::plan::{Medium, NoPlan};
 
@@ -77,7 +76,6 @@ pub struct Can {
 
 #[cfg(target_os = "linux")]
 impl Can {
-    /// Opens `interface` in `mode` for one end of the bus.
     pub fn open(interface: &str, mode: CanMode, side: BusSide) -> Result<Self, Error> {
         let refused = |why| Error::Can { interface: interface.to_owned(), why };
         open::check(interface, mode).map_err(refused)?;
@@ -86,7 +84,6 @@ impl Can {
         Ok(Self { port: CanPort::new(socket, mode) })
     }
 
-    /// Returns the number of frames that were dropped for lack of room.
     pub const fn dropped(&self) -> u64 {
         self.port.dropped()
     }

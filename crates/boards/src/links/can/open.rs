@@ -33,7 +33,6 @@ fn obstacle(can: &CanInterface, mode: CanMode) -> Option<CanTrouble> {
     }
 }
 
-/// Returns the meaning of a system error, with the remedy.
 #[cfg(target_os = "linux")]
 pub(super) fn trouble(error: std::io::Error) -> CanTrouble {
     use rustix::io::Errno;
@@ -81,7 +80,6 @@ mod tests {
     #[test]
     fn refusals_of_the_system_say_what_to_do() {
         use std::io;
-
         let sentence = |errno: rustix::io::Errno| trouble(io::Error::from(errno)).to_string();
         assert!(sentence(rustix::io::Errno::PERM).contains("AF_CAN"));
         assert!(sentence(rustix::io::Errno::AFNOSUPPORT).contains("modprobe can-raw"));

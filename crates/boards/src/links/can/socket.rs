@@ -10,8 +10,7 @@ use socketcan::{
 };
 
 use super::bus::{BusRead, CanBus, ControllerReport, Data};
-use super::filter::filters;
-use super::{BusSide, CanMode};
+use super::{BusSide, CanMode, filter::filters};
 use crate::links::{RecvError, SendError};
 
 #[derive(Debug)]
@@ -94,8 +93,6 @@ fn report(frame: &CanErrorFrame) -> BusRead {
     BusRead::Report(ControllerReport { class: frame.error_bits(), data })
 }
 
-/// Returns the reason why the kernel rejected a frame.
-///
 /// A full queue or socket is temporary; any other error means that the interface is down, was
 /// removed, or lost its CAN FD.
 fn refusal(error: &io::Error) -> SendError {
@@ -105,7 +102,6 @@ fn refusal(error: &io::Error) -> SendError {
     }
 }
 
-/// Returns the meaning of a failed read.
 fn silence(error: &io::Error) -> Result<Option<BusRead>, RecvError> {
     match Errno::from_io_error(error) {
         Some(Errno::AGAIN | Errno::INTR) => Ok(None),

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use super::Obstacle;
 
-/// The user of this process and its groups; unknown outside Linux.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct User {
     id: Option<u32>,
@@ -18,7 +17,6 @@ impl User {
             .unwrap_or_default()
     }
 
-    /// Parses the effective user and group and the further groups of a `status` file.
     fn parse(status: &str) -> Self {
         let numbers = |name: &str| -> Vec<u32> {
             let line = status.lines().find_map(|line| line.strip_prefix(name));
@@ -31,7 +29,6 @@ impl User {
         Self { id: effective(numbers("Uid:")), groups }
     }
 
-    /// Returns the reason why this user cannot use the device at `path`, if known.
     #[cfg(unix)]
     pub(super) fn obstacle(&self, path: &Path) -> Option<Obstacle> {
         use std::os::unix::fs::MetadataExt as _;
@@ -82,7 +79,6 @@ impl Rights {
     }
 }
 
-/// Returns the name of a group in the text of `/etc/group`, or else its number.
 #[cfg(unix)]
 fn group_name(names: &str, group: u32) -> String {
     let number = group.to_string();

@@ -1,13 +1,9 @@
 //! CAN interfaces, from the kernel's files on network interfaces and from `ip`.
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeMap, fs, path::Path};
 
-use super::can_interface::CanInterface;
 use super::can_link::{self, CanLink};
-use super::diagnosis;
-use super::{Listing, Obstacle};
+use super::{Listing, Obstacle, can_interface::CanInterface, diagnosis};
 use crate::links::Error;
 
 /// Hardware type of CAN in `type`: `ARPHRD_CAN`.
@@ -95,7 +91,6 @@ fn driver(uevent: &str) -> Option<String> {
 }
 
 impl CanInterface {
-    /// Returns the reason why this interface carries no frames, if it does not.
     fn find_obstacle(&self) -> Option<Obstacle> {
         let name = &self.name;
         if self.is_up {

@@ -1,8 +1,7 @@
 //! Set-up and condition of a CAN controller, as printed by `ip`: the kernel reports them over
 //! netlink only, not in files.
 
-use std::collections::BTreeMap;
-use std::process::Command;
+use std::{collections::BTreeMap, process::Command};
 
 use serde_json::Value;
 
@@ -80,7 +79,6 @@ fn timing(value: &Value) -> Option<BitTiming> {
 mod tests {
     use super::*;
 
-    /// A controller with CAN FD on, a virtual interface, and one without CAN.
     const IP: &str = r#"[
         {"ifindex":1,"ifname":"lo","flags":["LOOPBACK","UP","LOWER_UP"],"mtu":65536,
          "qdisc":"noqueue","operstate":"UNKNOWN","link_type":"loopback","txqlen":1000},
@@ -129,7 +127,6 @@ mod tests {
             modes: vec!["FD".to_owned(), "TDC_AUTO".to_owned()],
         };
         assert_eq!(links["can0"], expected);
-        // A sample point may be a text or a number.
         let nominal = links["can1"].nominal;
         assert_eq!(nominal, Some(BitTiming { bitrate: 250_000, sample_point: 875 }));
         assert_eq!(links["vcan0"], CanLink::default());

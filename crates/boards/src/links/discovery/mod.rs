@@ -21,7 +21,6 @@ pub use diagnosis::machine::{Fact, this_machine};
 pub use diagnosis::usb::{UsbPlace, UsbSpeed};
 pub use serial::{SerialPort, UsbIdentity, serial_ports};
 
-/// Returns the reason why this user cannot use the device at `path`, if known.
 #[cfg(unix)]
 pub(crate) fn obstacle(path: &std::path::Path) -> Option<Obstacle> {
     access::User::current().obstacle(path)

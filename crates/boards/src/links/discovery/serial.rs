@@ -2,10 +2,7 @@ use std::path::{Path, PathBuf};
 
 use serialport::SerialPortType;
 
-use super::access::User;
-use super::diagnosis;
-use super::diagnosis::usb::UsbPlace;
-use super::{Listing, Obstacle};
+use super::{Listing, Obstacle, access::User, diagnosis, diagnosis::usb::UsbPlace};
 use crate::links::Error;
 
 /// Linux' list of ports, required for the listing.
@@ -34,7 +31,6 @@ pub struct UsbIdentity {
     pub vendor: u16,
     pub product: u16,
     pub serial: Option<String>,
-    /// Names of maker and product, if available.
     pub name: String,
 }
 
@@ -70,7 +66,6 @@ fn describe(port: serialport::SerialPortInfo, user: &User) -> SerialPort {
     SerialPort { path, usb, place: None, latency: None, obstacle, advice: Vec::new() }
 }
 
-/// Adds the facts in files under `sys`, and advice.
 fn examine(ports: &mut [SerialPort], sys: &Path) {
     for port in &mut *ports {
         let tty = tty(&port.path);

@@ -3,11 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A made-up root, removed at the end.
 pub(super) struct Root(PathBuf);
 
 impl Root {
-    /// Makes an empty one; `test` is in its name.
     pub(super) fn new(test: &str) -> Self {
         let root = std::env::temp_dir().join(format!("letoff-{test}-{}", std::process::id()));
         fs::create_dir_all(&root).unwrap();
@@ -25,7 +23,6 @@ impl Root {
         files.iter().fold(self, |root, (file, text)| root.with(&format!("{folder}/{file}"), text))
     }
 
-    /// Adds a symbolic link to `target`, relative to the root.
     #[cfg(unix)]
     pub(super) fn with_link(self, link: &str, target: &str) -> Self {
         let path = self.0.join(link);

@@ -13,16 +13,13 @@
 //! one, and answers. The bytes are those of a serial port, including framing. A program begins at
 //! time 0, and exits when its stdin ends.
 
-use std::collections::VecDeque;
 use std::io::{self, Read as _};
-use std::os::unix::process::CommandExt as _;
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
-use std::time::Duration;
+use std::{collections::VecDeque, os::unix::process::CommandExt as _, time::Duration};
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
-use rustix::fd::AsFd;
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
-use rustix::io::Errno;
+use rustix::{fd::AsFd, io::Errno};
 
 use super::address::BoardLinkKind;
 use super::framed::Framing;
@@ -214,7 +211,6 @@ impl LockedProgram {
         Ok(rustix::io::retry_on_intr(|| rustix::io::read(&self.stdout, &mut *bytes))?)
     }
 
-    /// Returns the exit of a program that closed its end of a pipe.
     fn ended(&mut self) -> ProgramTrouble {
         self.wait().map_or_else(ProgramTrouble::Io, ProgramTrouble::Ended)
     }

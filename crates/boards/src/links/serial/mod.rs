@@ -7,8 +7,7 @@ mod carrier;
 mod pty;
 mod stream;
 
-use std::path::Path;
-use std::time::Duration;
+use std::{path::Path, time::Duration};
 
 use rustix::fd::OwnedFd;
 use rustix::fs::{Mode, OFlags};
@@ -20,8 +19,7 @@ use super::framed::Framing;
 use super::trouble::PortTrouble;
 use super::{Health, Link, RecvError, SendError};
 use crate::links::Error;
-use crate::plan::uart::Wiring;
-use crate::plan::{Medium, NoPlan};
+use crate::plan::{Medium, NoPlan, uart::Wiring};
 
 pub use pty::Pty;
 pub(super) use pty::PtyPair;
@@ -66,7 +64,6 @@ pub struct Serial {
     _keeper: Keeper,
 }
 
-/// Descriptor that stays open beside the one that carries the bytes.
 #[derive(Debug)]
 #[expect(dead_code, reason = "held, never read")]
 enum Keeper {
@@ -148,8 +145,7 @@ fn trouble(path: &Path, error: serialport::Error) -> PortTrouble {
     }
 }
 
-/// Asks an FTDI adapter, which delays bytes by 16 ms, to delay them by 1 ms. Without such an
-/// adapter or the right to ask, nothing happens.
+/// Asks an FTDI adapter to delay bytes by 1 ms instead of 16 ms, if there is one that may be asked.
 fn ask_for_low_latency(path: &Path) {
     let device = std::fs::canonicalize(path).unwrap_or_else(|_unresolved| path.to_owned());
     let Some(name) = device.file_name() else { return };

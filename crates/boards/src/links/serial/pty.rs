@@ -1,9 +1,6 @@
 //! Pseudo-terminals: a board in this process behind a port that any program can open.
 
-use std::ffi::OsString;
-use std::io;
-use std::os::unix::ffi::OsStringExt as _;
-use std::path::PathBuf;
+use std::{ffi::OsString, io, os::unix::ffi::OsStringExt as _, path::PathBuf};
 
 use rustix::fd::OwnedFd;
 use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl};
@@ -30,7 +27,6 @@ impl Pty {
 
 #[derive(Debug)]
 pub(crate) struct PtyPair {
-    /// This side, which does not wait.
     pub(crate) stream: NonBlockingFd,
     /// The other side; while it is held, this side survives the exit of a client.
     pub(crate) other: OwnedFd,

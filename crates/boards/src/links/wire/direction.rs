@@ -65,7 +65,6 @@ impl WireDirection {
         out.iter_mut().zip(arrived).map(|(place, (_, byte))| *place = *byte).count()
     }
 
-    /// Removes the first `n` bytes, which were relayed.
     pub(super) fn hand_on(&mut self, n: usize) {
         self.queue.drain(..n.min(self.queue.len()));
         self.counts.passed += n as u64;

@@ -12,9 +12,8 @@ mod direction;
 mod relay;
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::thread::JoinHandle;
+use std::{sync::Arc, thread::JoinHandle};
 
 use super::serial::PtyPair;
 use crate::links::Error;
@@ -57,7 +56,6 @@ pub struct Wire {
     relay: Option<JoinHandle<()>>,
 }
 
-/// Shared state of the relay and its owner.
 #[derive(Debug, Default)]
 struct WireControl {
     cut: AtomicBool,
@@ -69,7 +67,6 @@ struct WireControl {
 }
 
 impl Wire {
-    /// Opens a wire that follows `plan`.
     pub fn open(plan: WirePlan) -> Result<Self, Error> {
         let (one, other) =
             (PtyPair::open().map_err(Error::Pty)?, PtyPair::open().map_err(Error::Pty)?);

@@ -3,8 +3,7 @@ use std::time::Instant;
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 
-use super::direction::WireDirection;
-use super::{WireControl, WirePlan};
+use super::{WireControl, WirePlan, direction::WireDirection};
 use crate::links::serial::{Disconnected, NonBlockingFd, PtyPair};
 
 const CHUNK: usize = 1_024;
@@ -33,7 +32,6 @@ pub(super) fn run(host: &PtyPair, board: &PtyPair, plan: WirePlan, control: &Wir
     }
 }
 
-/// Reads bytes from one end, and writes those that have arrived at the other.
 fn carry(
     direction: &mut WireDirection,
     from: &NonBlockingFd,

@@ -57,7 +57,6 @@ impl AgeWatch {
 mod tests {
     use super::*;
 
-    /// Share of its force that a board may have.
     fn part(watch: &AgeWatch) -> &'static str {
         match watch.share() {
             share if share <= 0.0 => "none",

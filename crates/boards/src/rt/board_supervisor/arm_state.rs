@@ -10,7 +10,6 @@ pub enum ArmState {
     /// It sends samples, whose rate must be the one that it confirmed.
     Measuring,
     Disarming,
-    /// Arming is requested.
     Arming {
         nonce: u32,
     },

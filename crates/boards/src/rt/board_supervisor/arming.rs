@@ -17,9 +17,7 @@
 //! ten seconds, or until its next hello.
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
-use firmware_protocol::acyclic::health::BoardHealth;
-use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::acyclic::{Operation, Status, health::BoardHealth, stream::Stream};
 use firmware_protocol::frame::hello::{Hello, feature, safe_reason};
 use firmware_protocol::{Nothing, Record as _, schema};
 
@@ -27,8 +25,7 @@ use super::arm_state::{ArmLockout, ArmState, SlowSamples};
 use super::back_off::BackOff;
 use super::sample_watch::{SampleWatch, is_silence};
 use crate::request_channel::RequestChannel;
-use crate::rt::sample_interval::IntervalFault;
-use crate::rt::terms::BoardAgreement;
+use crate::rt::{sample_interval::IntervalFault, terms::BoardAgreement};
 
 /// Pause between two attempts of a bring-up (us).
 const AGAIN_US: u64 = 100_000;
@@ -58,7 +55,6 @@ pub(super) struct Arming {
     /// End of the pause of a barred board (us).
     barred_until: u64,
     must_disarm: bool,
-    /// Recent trips and restarts.
     trips: BackOff,
     restarts: BackOff,
 }
@@ -139,7 +135,6 @@ impl Arming {
         }
     }
 
-    /// Advances by time and by the samples that have arrived.
     pub(super) fn on_time(&mut self, samples: &SampleWatch, agreed_us: u16, now: u64) {
         let intervals = samples.intervals();
         let slow = intervals.filter(|it| it.fault(agreed_us) == Some(IntervalFault::Slow));
@@ -217,7 +212,6 @@ impl Arming {
         }
     }
 
-    /// Advances after the board has declined a request of its bring-up.
     pub(super) fn on_declined(&mut self, asked: Operation, status: Status, now: u64) {
         let why = ArmLockout::Declined(asked, status);
         let is_nonce_old =
@@ -324,10 +318,8 @@ mod tests {
     use firmware_protocol::key::{BoardId, KeyIndex};
 
     use super::*;
-    use crate::rt::terms::Terms;
-    use crate::topology::BoardPlace;
+    use crate::{rt::terms::Terms, topology::BoardPlace};
 
-    /// State after the hello of a board of two keys with these `homed`.
     fn after(features: u16, homed: u16) -> ArmState {
         let (line, n_keys) = (0, 2);
         let board = BoardId::new(3).unwrap();

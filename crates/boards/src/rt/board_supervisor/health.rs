@@ -7,10 +7,8 @@ use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::MOST_KEYS;
 use firmware_protocol::{Nothing, Record as _};
 
-use crate::periods::HEALTH_US;
-use crate::request_channel::RequestChannel;
-use crate::rt::board::BoardStatistics;
-use crate::rt::terms::BoardAgreement;
+use crate::rt::{board::BoardStatistics, terms::BoardAgreement};
+use crate::{periods::HEALTH_US, request_channel::RequestChannel};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HealthWatch {
@@ -47,7 +45,6 @@ impl HealthWatch {
         }
     }
 
-    /// Forgets failures and requests of a board that has restarted.
     pub(super) fn forget(&mut self) {
         (self.failed, self.muted) = (0, 0);
         self.causes = [None; MOST_KEYS];
@@ -133,7 +130,6 @@ impl HealthWatch {
         self.hottest = self.hottest.max(temperature);
     }
 
-    /// Records that the board was asked to switch off the motor of the last key.
     pub(super) const fn on_muted(&mut self) {
         self.muted |= 1 << self.asked;
     }

@@ -54,8 +54,7 @@ impl BoardSupervisor {
         Self { sessions, now, origin: None }
     }
 
-    /// Sends these gestures to the key in `slot` of a board, timed from the origin. Not for the
-    /// tick.
+    /// Sends gestures to the key in `slot` of a board, timed from the origin; not for the tick.
     pub fn play(&mut self, board: usize, slot: u8, gestures: &[Gesture]) {
         if let Some(session) = self.sessions.get_mut(board) {
             session.gestures.add(slot, gestures);
@@ -139,8 +138,7 @@ impl BoardSupervisor {
         }
     }
 
-    /// Bars a board whose samples usually arrive `usual_us` late, if no force can answer them in
-    /// time.
+    /// Bars a board whose samples usually arrive `usual_us` late, too late for any force.
     pub fn watch_lateness(&mut self, board: usize, usual_us: f64) {
         let now = self.now;
         let Some(session) = self.sessions.get_mut(board) else { return };

@@ -1,7 +1,6 @@
 //! Conclusions from a board's samples: it is there, and renders forces.
 
-use crate::rt::board::BoardStatistics;
-use crate::rt::sample_interval::SampleIntervals;
+use crate::rt::{board::BoardStatistics, sample_interval::SampleIntervals};
 
 /// Silence after which a board counts as gone (us).
 const SILENT_US: u64 = 100_000;
@@ -24,9 +23,7 @@ pub(super) struct SampleWatch {
     newest: u64,
     /// Arrival of the newest samples without the flag (us).
     clear: u64,
-    /// `true` if the newest samples report that the board renders no force.
     is_safe: bool,
-    /// Intervals by the board's own stamps.
     intervals: Option<SampleIntervals>,
     /// Polls since the newest samples, recent bursts, and their interval (us).
     empty_looks: u32,

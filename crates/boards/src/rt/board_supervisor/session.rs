@@ -1,34 +1,27 @@
 //! Requests to one board beside the cyclic frames: their order, and the effect of the answers.
 
-use firmware_protocol::acyclic::counters::Counters;
-use firmware_protocol::acyclic::finger::Finger;
-use firmware_protocol::acyclic::health::BoardHealth;
-use firmware_protocol::acyclic::light::Light;
-use firmware_protocol::acyclic::ping::Pong;
-use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::acyclic::{
+    Operation, Status, counters::Counters, finger::Finger, health::BoardHealth, light::Light,
+    ping::Pong,
+};
 use firmware_protocol::frame::hello::{Introduction, safe_reason};
 use firmware_protocol::{Nothing, Record as _};
 
-use super::age_watch::AgeWatch;
 use super::arm_state::{ArmLockout, ArmState};
-use super::arming::Arming;
-use super::gesture_queue::GestureQueue;
-use super::health::HealthWatch;
-use super::sample_watch::SampleWatch;
 use super::status::{BoardStatus, Condition};
-use super::timing::BoardTiming;
-use crate::periods::COUNTERS_US;
+use super::{
+    age_watch::AgeWatch, arming::Arming, gesture_queue::GestureQueue, health::HealthWatch,
+    sample_watch::SampleWatch, timing::BoardTiming,
+};
 use crate::request_channel::{ReceivedReply, RequestChannel};
-use crate::rt::board::BoardStatistics;
-use crate::rt::bus::KeybedBus;
-use crate::rt::key_fault::KeyFault;
-use crate::rt::sample_interval::IntervalFault;
-use crate::rt::terms::BoardAgreement;
+use crate::{
+    periods::COUNTERS_US, rt::board::BoardStatistics, rt::bus::KeybedBus, rt::key_fault::KeyFault,
+    rt::sample_interval::IntervalFault, rt::terms::BoardAgreement,
+};
 
 /// Time for which a light identifies its board (s).
 pub const LIGHT_S: u8 = 10;
 
-/// State of one board, after its answers and frames.
 #[derive(Clone, Debug)]
 pub(super) struct BoardSession {
     pub(super) agreed: BoardAgreement,
@@ -133,7 +126,6 @@ impl BoardSession {
         self.counters.next_us = 0;
     }
 
-    /// Returns `true` if the board is not ready because its answers are too late to read its clock.
     pub(super) fn answers_late(&self) -> bool {
         /// Late answers that may be chance.
         const FEW: u64 = 8;
@@ -288,7 +280,6 @@ impl BoardSession {
         self.arming.on_start(it.hello.reset_reason, now);
     }
 
-    /// Handles a frame, which counts if it is the awaited answer.
     pub(super) fn take_reply(&mut self, frame: &[u8], now: u64) {
         let Some(received) = self.channel.take_reply(frame) else { return };
         let ReceivedReply { reply, operation, sent_us } = received;

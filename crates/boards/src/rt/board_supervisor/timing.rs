@@ -1,6 +1,5 @@
 use crate::clock::{ClockModel, ClockUpdate};
-use crate::periods::PING_US;
-use crate::rt::round_trips::RoundTripHistory;
+use crate::{periods::PING_US, rt::round_trips::RoundTripHistory};
 
 /// Initial round trips, to learn a board's clock from.
 const QUICK_PINGS: u32 = 8;
@@ -66,7 +65,6 @@ impl BoardTiming {
         }
     }
 
-    /// Keeps the rate and forgets the time, for a board that has restarted.
     pub(super) fn on_start(&mut self) {
         self.clock = self.clock.set_anew();
         self.n_pings = 0;

@@ -41,7 +41,6 @@ impl ForcePath {
         (self.sent, self.offset, self.share) = (0.0, 0.0, 0.0);
     }
 
-    /// Continues the next force from the last one that was sent.
     pub(super) const fn lead_over(&mut self, wanted: f64) {
         self.offset = self.sent - self.share * wanted;
         self.blended += 1;
@@ -65,7 +64,6 @@ impl ForcePath {
         self.sent
     }
 
-    /// Returns `true` if the force is the model's.
     pub(super) fn is_whole(&self) -> bool {
         self.offset == 0.0 && 1.0 <= self.share
     }

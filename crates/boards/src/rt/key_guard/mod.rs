@@ -71,8 +71,7 @@ impl KeyGuard {
         self.demand_proof();
     }
 
-    /// Checks a reading at `position` (m), `elapsed` (s) after the one before if it follows that.
-    /// Returns `true` if it may be used.
+    /// Checks a reading at `position` (m), `elapsed` (s) after its predecessor; `true` if usable.
     pub(super) fn accept(
         &mut self,
         position: f64,

@@ -100,7 +100,6 @@ impl MotorResponse {
         self.stage = ResponseStage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
     }
 
-    /// Starts a test if the key has stood still for long enough.
     fn watch(
         &mut self,
         (position, quantum): (f64, f64),

@@ -11,8 +11,7 @@
 //! So a glitch costs no force, and a hard stroke is detected one sample later. A key that is
 //! stopped by its rest or its bottom is no glitch: there, a slower reading is used at once.
 
-/// Acceleration that finger and motor together hardly exceed (m/s²); beyond it a reading waits for
-/// the next one.
+/// Acceleration that finger and motor hardly exceed (m/s²); beyond it a reading waits for the next.
 const MOST_ACCELERATION: f64 = 150.0;
 
 /// Room before rest and bottom in which a key is stopped (m).
@@ -111,7 +110,6 @@ mod tests {
     const H: f64 = 1e-3;
     const KEY: (f64, f64) = (1e-6, 10.16e-3);
 
-    /// Verdicts on readings (mm), one per millisecond.
     fn read(millimetres: &[f64]) -> Vec<TrendVerdict> {
         let mut trend = KeyTrend::default();
         let elapsed = std::iter::once(None).chain(std::iter::repeat(Some(H)));

@@ -42,7 +42,6 @@ impl BusTime {
         }
     }
 
-    /// Returns `true` if a frame of `group` is newer than all before.
     pub(super) fn accept(&mut self, group: u8, sequence: SequenceNumber, now_us: u64) -> bool {
         let Some(newest) = self.newest.get_mut(usize::from(group)) else { return false };
         let is_newer = newest.is_none_or(|(before, at)| {

@@ -11,16 +11,14 @@ mod requests;
 mod sample_history;
 
 use crate::links::{Link, RecvError};
-use firmware_protocol::MAX_FRAME;
-use firmware_protocol::acyclic::arm::VALID_MS;
-use firmware_protocol::frame::broadcast::Broadcast;
 use firmware_protocol::frame::hello::{Hello, Introduction, MAGIC, feature, safe_reason};
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
-use firmware_protocol::frame::{FrameKind, Header, board_of};
+use firmware_protocol::frame::{FrameKind, Header, board_of, broadcast::Broadcast};
 use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
-use firmware_protocol::version::PROTOCOL_VERSION;
-use firmware_protocol::{key, schema};
+use firmware_protocol::{
+    MAX_FRAME, acyclic::arm::VALID_MS, key, schema, version::PROTOCOL_VERSION,
+};
 use haptics::plant::{Gesture, HandCommand, KeyRig, RigParameters};
 use serde::Serialize;
 
@@ -31,9 +29,8 @@ use self::sample_history::SampleHistory;
 use super::force_interlock::{ForceDecision, ForceInterlock};
 use super::force_law::Law;
 use super::key::{Plant, SampleProgress};
-use crate::Error;
 use crate::calibration::{self, KeyCalibration};
-use crate::clock::low;
+use crate::{Error, clock::low};
 
 const FEATURES: u16 = feature::SLOPES
     | feature::MULTICAST
@@ -57,7 +54,6 @@ pub struct BoardCounts {
     pub refused: u64,
     /// Forces that answered no recent samples.
     pub stale: u64,
-    /// Forces that arrived while it was not armed.
     pub unarmed: u64,
     /// Samples that the arriving forces skipped.
     pub unanswered: u64,
@@ -230,7 +226,6 @@ impl SimulatedBoard {
         }
     }
 
-    /// Returns `true` if it renders no forces, for any reason.
     pub const fn is_safe(&self) -> bool {
         !self.interlock.is_armed()
     }
@@ -240,8 +235,7 @@ impl SimulatedBoard {
         self.interlock.reason()
     }
 
-    /// Leaves the safe state without force, whatever its reason; the next valid forces are
-    /// accepted.
+    /// Leaves the safe state, whatever its reason; the next valid forces are accepted.
     pub fn rearm(&mut self) {
         self.interlock.force_armed(u64::from(VALID_MS) * 1_000);
         self.forget_forces();
@@ -260,7 +254,6 @@ impl SimulatedBoard {
         &self.make
     }
 
-    /// Returns the plant in `slot`, which sensors show in part only.
     pub fn rig(&self, slot: usize) -> Option<&KeyRig> {
         self.keys.get(slot).map(Plant::rig)
     }
@@ -327,8 +320,7 @@ impl SimulatedBoard {
         us.wrapping_sub(self.late_us)
     }
 
-    /// Receives frames, which hold from `from_us` on, the start of the following ticks, however
-    /// late that is by the clock.
+    /// Receives frames, which hold from `from_us` on, the start of the following ticks.
     fn listen(&mut self, from_us: u64, link: &mut impl Link) {
         for _ in 0..MAX_FRAMES {
             let mut frame = [0; MAX_FRAME];

@@ -10,8 +10,7 @@ use firmware_protocol::frame::multicast_forces::{GROUP, GROUPS, MulticastForces}
 use firmware_protocol::quantity::Millinewtons;
 
 use super::SimulatedBoard;
-use crate::sim::force_interlock::ForceDecision;
-use crate::sim::force_law::Law;
+use crate::sim::{force_interlock::ForceDecision, force_law::Law};
 
 /// Times at which the newest forces of each group were computed, since arming (us).
 #[derive(Clone, Copy, Debug, Default)]

@@ -2,24 +2,21 @@
 
 use crate::links::Link;
 use firmware_protocol::acyclic::arm::{Arm, Disarmed, LONGEST_VALID_MS, SHORTEST_VALID_MS};
-use firmware_protocol::acyclic::bootloader::Bootloader;
 use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
 use firmware_protocol::acyclic::config::{self, Config, ReadConfig, WriteConfig, setting};
-use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::{self, Finger};
 use firmware_protocol::acyclic::health::{
     BoardHealth, KeyHealth, MuteKey, NOT_MEASURED, ReadKeyHealth, key_fault,
 };
-use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
-use firmware_protocol::acyclic::ping::Pong;
-use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{AcyclicRequest, BoardOperations, Status, answer};
 use firmware_protocol::frame::hello::{Hello, safe_reason};
-use firmware_protocol::frame::key_forces::ForcePacking;
-use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::{BoardId, KeyIndex, MOST_KEYS};
-use firmware_protocol::{MAX_FRAME, Nothing};
+use firmware_protocol::{
+    MAX_FRAME, Nothing, acyclic::bootloader::Bootloader, acyclic::counters::Counters,
+    acyclic::light::Light, acyclic::ping::Pong, acyclic::stream::Stream,
+    frame::key_forces::ForcePacking, frame::key_samples::SamplePacking,
+};
 use haptics::plant::{Gesture, Touch};
 
 use super::{BoardMake, FakeIdentity, SimulatedBoard};
@@ -67,7 +64,6 @@ impl BoardRequestHandler {
         BoardMake { id, first_key: first_key.unwrap_or(make.first_key), fake_identity, ..make }
     }
 
-    /// Keeps the settings of `before` over a start.
     pub(super) const fn keep_settings(&mut self, before: &Self) {
         self.settings = before.settings;
         self.boots = before.boots.saturating_add(1);

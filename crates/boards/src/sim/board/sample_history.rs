@@ -1,9 +1,7 @@
 //! The last samples of a board, which forces may answer.
 
-use firmware_protocol::acyclic::arm::HISTORY;
-use firmware_protocol::frame::Header;
-use firmware_protocol::frame::key_samples::KeySamples;
-use firmware_protocol::sequence::SequenceNumber;
+use firmware_protocol::frame::{Header, key_samples::KeySamples};
+use firmware_protocol::{acyclic::arm::HISTORY, sequence::SequenceNumber};
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sent {

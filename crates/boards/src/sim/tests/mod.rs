@@ -1,15 +1,13 @@
 //! One simulated board on a wire in memory.
 
-use crate::links::Link as _;
-use crate::links::loopback::Loopback;
+use crate::links::{Link as _, loopback::Loopback};
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::{AcyclicReply, Operation, Status, encode_request};
-use firmware_protocol::frame::FrameKind;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::{Hello, safe_reason};
 use firmware_protocol::frame::key_forces::{self, ForcePacking, KeyForces};
-use firmware_protocol::frame::key_samples::KeySamples;
 use firmware_protocol::frame::multicast_forces::{GROUP, MulticastForces};
+use firmware_protocol::frame::{FrameKind, key_samples::KeySamples};
 use firmware_protocol::key::{BoardId, PerKey};
 use firmware_protocol::quantity::Millinewtons;
 use firmware_protocol::sequence::SequenceNumber;
@@ -21,7 +19,6 @@ use scheduler::port::KeyBus as _;
 use super::board::{BoardMake, SimulatedBoard};
 use super::keybed::SimulatedKeybed;
 
-/// Length of a tick (us).
 const TICK_US: u64 = 1_000;
 /// Force that holds keys on their felts (mN).
 const DOWN: i32 = -2_000;
@@ -52,7 +49,6 @@ impl Bench {
         self.wire.host_end().try_send(frame).unwrap();
     }
 
-    /// Advances by `ticks` in one go and receives the board's frames.
     fn live(&mut self, ticks: u64) {
         self.tick += ticks;
         self.board.advance(self.tick, &mut self.wire.board_end());
@@ -85,7 +81,6 @@ impl Bench {
         self.tell(&bytes[..len]);
     }
 
-    /// Sends a request and returns the answer of the next tick.
     fn ask<R: Record, A: Record>(&mut self, operation: Operation, record: &R) -> Result<A, Status> {
         self.request(operation, record);
         self.live(1);
@@ -143,7 +138,6 @@ impl Bench {
         self.tell(&frame.encode());
     }
 
-    /// Advances tick by tick, with forces of these groups in each.
     fn live_with(&mut self, ticks: u64, groups: &[u8]) {
         for _ in 0..ticks {
             let host_us = self.host_us();
@@ -216,7 +210,6 @@ fn a_group_that_is_lost_is_not_kept_alive_by_another() {
     bench.live_with(40, &[1]);
     assert_eq!(bench.board.safe_reason(), safe_reason::SILENCE);
     assert!(bench.force(0) < 1e-6 && bench.force(10) < 1e-6, "{} N", bench.force(0));
-    // Rearmed, the board waits for both groups.
     bench.arm(ForcePacking::Multicast16).unwrap();
     bench.live_with(50, &[0]);
     assert!(!bench.board.is_safe() && bench.force(0) < 1e-6);

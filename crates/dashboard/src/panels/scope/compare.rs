@@ -3,9 +3,7 @@
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Key, PopupCloseBehavior, TextEdit, Ui};
 
-use crate::app_state::AppState;
-use crate::scope::Scope;
-use crate::{names, theme};
+use crate::{app_state::AppState, names, scope::Scope, theme};
 
 pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, state: &AppState) {
     // The menu stays open, so that one can add several keys in turn.

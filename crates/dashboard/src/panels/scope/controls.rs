@@ -3,13 +3,11 @@ use eframe::egui::{ComboBox, DragValue, Grid, PopupCloseBehavior, Ui};
 use telemetry::signal::Kind;
 
 use super::compare;
-use crate::app_state::AppState;
-use crate::panels::scrolled_ui;
-use crate::scope::Scope;
 use crate::scope::trigger::{Edge, On, Sweep, Trigger};
-use crate::store::Store;
-use crate::store::trace::OWN;
-use crate::{names, unit};
+use crate::{
+    app_state::AppState, names, panels::scrolled_ui, scope::Scope, store::Store, store::trace::OWN,
+    unit,
+};
 
 pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, state: &mut AppState, key: u8, now: f64) {
     ui.horizontal_wrapped(|ui| {

@@ -6,9 +6,7 @@ use eframe::egui::{
 };
 use egui_plot::PlotTransform;
 
-use crate::scope::Scope;
-use crate::store::Store;
-use crate::{names, theme, unit};
+use crate::{names, scope::Scope, store::Store, theme, unit};
 
 /// Distance to each side within which a cursor is caught (points).
 const REACH: f32 = 5.0;

@@ -3,11 +3,9 @@
 use egui_plot::PlotBounds;
 use telemetry::event::Kind;
 
-use crate::scope::Scope;
-use crate::scope::heights::Heights;
-use crate::store::Store;
-use crate::store::trace::OWN;
-use crate::{names, number, unit};
+use crate::{
+    names, number, scope::Scope, scope::heights::Heights, store::Store, store::trace::OWN, unit,
+};
 
 /// Most epochs drawn in a plot: more would be a grey area.
 const EPOCHS: usize = 160;

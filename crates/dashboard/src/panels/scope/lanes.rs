@@ -11,9 +11,7 @@ use telemetry::event::Kind;
 
 use super::data::{self, PlotTrace, Shade};
 use super::{axis, cursors, mouse};
-use crate::scope::Scope;
-use crate::store::Store;
-use crate::{grid, number, theme, unit};
+use crate::{grid, number, scope::Scope, store::Store, theme, unit};
 
 /// Height of the table of the cursors (points).
 const TABLE: f32 = 108.0;
@@ -114,7 +112,6 @@ fn legend_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, traces: &[PlotTrace]
     });
 }
 
-/// Returns a plot without contents, which does not move by itself.
 fn plot<'a>(
     ui: &Ui,
     (lane, of): (usize, usize),

@@ -12,8 +12,7 @@ mod mouse;
 use eframe::egui::{CentralPanel, Context, Ui, ViewportBuilder, ViewportId};
 
 use super::{Pane, nothing_ui};
-use crate::app_state::AppState;
-use crate::scope::trigger::On;
+use crate::{app_state::AppState, scope::trigger::On};
 
 /// Draws the panel; its window instead, if it is popped out.
 pub(super) fn scope_ui(ui: &mut Ui, number: u8, state: &mut AppState) {

@@ -3,8 +3,7 @@
 use eframe::egui::{PointerButton, Pos2, Rect, Response, Ui};
 use egui_plot::PlotTransform;
 
-use crate::scope::Scope;
-use crate::theme;
+use crate::{scope::Scope, theme};
 
 /// Turn of the wheel (points) by which a plot shows 1/e as much.
 const WHEEL: f64 = 200.0;

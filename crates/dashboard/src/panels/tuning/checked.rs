@@ -3,9 +3,7 @@
 use eframe::egui::{Label, RichText, Ui, vec2};
 use telemetry::request::KeyFigure;
 
-use crate::tune::Tuner;
-use crate::tune::checks::CheckedKey;
-use crate::{names, theme, unit};
+use crate::{names, theme, tune::Tuner, tune::checks::CheckedKey, unit};
 
 /// Height of the line, which is there without a message too: no message moves the sliders (points).
 const HEIGHT: f32 = 18.0;

@@ -1,8 +1,6 @@
 //! A scene as a file, to be copied or written.
 
-use std::fs::File;
-use std::io::Write as _;
-use std::path::Path;
+use std::{fs::File, io::Write as _, path::Path};
 
 use eframe::egui::{Button, Context, Key, ScrollArea, TextEdit, Ui, Window};
 

@@ -14,10 +14,8 @@ use serde::{Deserialize, Serialize};
 use telemetry::{Parameter, Request};
 
 use super::nothing_ui;
-use crate::app_state::AppState;
-use crate::names;
-use crate::tune::Tuner;
 use crate::tune::link::{FollowingKeys, LinkedKeys};
+use crate::{app_state::AppState, names, tune::Tuner};
 
 /// Width of the slider between A and B with its name (points).
 const MORPH: f32 = 150.0;
@@ -39,7 +37,6 @@ pub(super) struct View {
     /// Part of the names of the shown parameters.
     #[serde(skip)]
     find: String,
-    /// Path for a scene or a preset.
     file: String,
     /// Position between A (0) and B (1).
     morph: f64,

@@ -2,8 +2,7 @@
 
 use eframe::egui::{Align2, Context, Window};
 
-use crate::app_state::AppState;
-use crate::tune::edit::Snapshot;
+use crate::{app_state::AppState, tune::edit::Snapshot};
 
 pub(super) fn offer_ui(ctx: &Context, state: &mut AppState) {
     if !state.may_change() {

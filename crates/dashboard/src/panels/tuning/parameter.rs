@@ -8,8 +8,7 @@ use eframe::egui::{
 };
 use telemetry::Parameter;
 
-use crate::tune::Tuner;
-use crate::{names, number, theme, unit};
+use crate::{names, number, theme, tune::Tuner, unit};
 
 /// Steps from the usual value to each end of a slider: on the shortest slider one point is less
 /// than a step, and 2.5 mm of let-off or a quarter of a stiffness is more than a hand wants. Other
@@ -31,7 +30,6 @@ const BESIDE: f32 = 332.0;
 /// Width of the shortest slider (points).
 const SHORTEST: f32 = 54.0;
 
-/// A parameter of the selected key, as it is shown.
 struct ParameterRow<'a> {
     parameter: &'a Parameter,
     value: f64,
@@ -57,8 +55,7 @@ impl<'a> ParameterRow<'a> {
     }
 }
 
-/// Draws a parameter with its usual value in one line, or in two if there is no room; returns the
-/// new value if it was moved.
+/// Draws a parameter and its usual value in one or two lines; returns a moved value.
 pub(super) fn parameter_ui(
     ui: &mut Ui,
     tuner: &mut Tuner,

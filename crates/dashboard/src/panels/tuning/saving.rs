@@ -6,8 +6,7 @@ use telemetry::stream::Role;
 
 use crate::app_state::AppState;
 
-/// Draws the button that opens the name of the instrument to save; `typed` is that name, if it was
-/// typed.
+/// Draws the button that opens the name of the instrument to save, and `typed`, that name.
 pub(super) fn saving_ui(ui: &mut Ui, typed: &mut Option<String>, state: &mut AppState, key: u8) {
     let base = state.tuner.played(key).map_or("", |(_, instrument)| instrument).to_owned();
     let can_save = !base.is_empty() && state.may(Role::Owner);

@@ -6,12 +6,9 @@ use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Button, PopupCloseBehavior, RichText, ScrollArea, Ui};
 use telemetry::Difference;
 
-use crate::app_state::AppState;
-use crate::names;
-use crate::tune::Tuner;
 use crate::tune::edit::{EditPatch, ParameterSlot};
-use crate::tune::history::UndoStep;
 use crate::unit::{self, ParameterReading};
+use crate::{app_state::AppState, names, tune::Tuner, tune::history::UndoStep};
 
 /// Height of the list before it scrolls (points).
 const HEIGHT: f32 = 320.0;

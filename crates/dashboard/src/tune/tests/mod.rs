@@ -47,7 +47,6 @@ fn shows(tuner: &Tuner, value: f64) {
     assert!((shown - value).abs() < 1e-12, "shows {shown}, not {value}");
 }
 
-/// Sends the outgoing changes as `ticket`; returns their values.
 fn send(tuner: &mut Tuner, ticket: u64) -> Vec<f64> {
     let Some(Request::Set { changes }) = tuner.outgoing() else { panic!("no values to send") };
     tuner.sent(Ticket(ticket));
@@ -191,7 +190,6 @@ fn a_lost_host_leaves_nothing_on_its_way() {
     assert_eq!(send(&mut tuner, 2), [30.0]);
 }
 
-/// A host with two instruments, whose keys play the first.
 fn with_instruments(run: &str) -> [Update; 2] {
     let parameters =
         vec![Parameter { name: "k".into(), unit: "N/m".into(), max: 1e4, ..Parameter::default() }];
@@ -250,7 +248,6 @@ fn an_instrument_is_a_step_that_undo_takes_back_with_its_values() {
     assert_eq!(tuner.outgoing(), used("stiff", Some("C4")));
     tuner.sent(Ticket(3));
     tuner.answered(Ticket(3), Ok(()));
-    // The values wait until their instrument plays.
     assert_eq!(tuner.outgoing(), None);
     tuner.take(&plays("stiff", 4, 2.0 * 1.1_f64.powi(KEY.into())));
     assert_eq!(send(&mut tuner, 4), [100.0]);

@@ -32,7 +32,6 @@ pub enum SequenceVerdict {
 /// First difference between two sequences of events.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct EventMismatch {
-    /// Number of right events before it.
     pub index: usize,
     pub expected: String,
     pub found: String,

@@ -9,8 +9,7 @@ use figures::digits::rounded;
 use haptics::EstimatorName;
 use instruments::ModelEntry;
 
-use super::recording::read_stroke;
-use super::{ImpedanceArgs, VoiceLoopArgs};
+use super::{ImpedanceArgs, VoiceLoopArgs, recording::read_stroke};
 use crate::command::stability::ask::{
     PERIOD, estimators, key_named, set_parameters, set_quantities, voices,
 };
@@ -201,7 +200,6 @@ fn check_modes(model: &ModelEntry, named: &[String], mistakes: &mut Vec<String>)
     }
 }
 
-/// Parses a length (m).
 fn length(option: &str, text: Option<&str>, usual: f64, mistakes: &mut Vec<String>) -> f64 {
     let read = text.map_or(Ok(usual), |text| quantity(text, "m"));
     read.unwrap_or_else(|wrong| {

@@ -3,8 +3,7 @@
 mod ask;
 mod recording;
 
-use std::io::Write;
-use std::path::PathBuf;
+use std::{io::Write, path::PathBuf};
 
 use crate::impedance::{ImpedanceCurve, ImpedanceSummary, write_impedance};
 use crate::report::PAGE;

@@ -1,7 +1,6 @@
 //! Reads a key's positions and forces from a recording.
 
-use std::collections::BTreeSet;
-use std::path::Path;
+use std::{collections::BTreeSet, path::Path};
 
 use crate::impedance::{ForceHold, RecordedStroke};
 use documents::shown;

@@ -13,8 +13,7 @@ use keyboard::KeyIndex;
 use scene::{Instrument, Library};
 
 use super::quantities::{quantity, range};
-use super::voices::InstrumentVoices;
-use super::{ClosedLoopArgs, StabilityArgs};
+use super::{ClosedLoopArgs, StabilityArgs, voices::InstrumentVoices};
 
 const WALL: &str = "wall";
 

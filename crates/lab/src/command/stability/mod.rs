@@ -4,8 +4,7 @@ pub(super) mod ask;
 pub(super) mod quantities;
 pub(super) mod voices;
 
-use std::io::Write;
-use std::path::PathBuf;
+use std::{io::Write, path::PathBuf};
 
 use crate::report::PAGE;
 use crate::stability::{

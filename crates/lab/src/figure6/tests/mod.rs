@@ -15,7 +15,6 @@ fn check_story(it: &ClosedLoop, bounces: usize) {
     let still = it.rig.iter().zip(&it.paper.rows).take_while(|(_, row)| row.t <= 0.3);
     assert!(still.clone().count() > 140);
     for (rig, row) in still {
-        // The encoder starts anywhere within a line.
         assert!(rig.angle.abs() < 0.5 * LINE / LEVER && row.s == 0.0, "{rig:?}");
     }
     let seen: Vec<_> = it.paper.events.iter().map(|event| (event.guard, event.t)).collect();

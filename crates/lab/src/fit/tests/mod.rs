@@ -1,5 +1,4 @@
-use std::path::Path;
-use std::sync::Arc;
+use std::{path::Path, sync::Arc};
 
 use std::f64::consts::TAU;
 
@@ -122,7 +121,6 @@ fn what_has_no_influence_or_a_double_is_named_and_keeps_its_value() {
 fn published_touch_weights_are_followed_and_their_friction_found() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/fit/published.csv");
     let mut stroke = read_stroke(path.as_ref(), 5e-3).expect("a stroke");
-    // Travel before the damper, both ways.
     stroke.rows.retain(|row| (0.8e-3..4.8e-3).contains(&row.travel));
     let (model, values) = model("reduced-grand", "default");
     let found = fitted((&model, &values), &["Wk", "Fc"], &[stroke]);

@@ -3,7 +3,6 @@ use haptics::{EstimatorName, RigParameters, SampledWall};
 use super::*;
 use figures::parallel::in_parallel;
 
-/// Returns a study of a wall on an ideal key; one loop at a time is run.
 fn study(values: LoopValues) -> StabilityStudy<'static> {
     let axis = |quantity: LoopQuantity| MapAxis::of_quantity(quantity, quantity.entry().axis);
     StabilityStudy {
@@ -96,7 +95,6 @@ fn on_a_key_of_40_g_a_wall_is_stable_up_to_where_its_poles_leave_the_unit_circle
     }
 }
 
-/// Returns a key with an encoder step of 0.1 mm, and damping for a wall of 10 kN/m.
 fn rough(friction: f64) -> LoopValues {
     with(
         ideal(1e-3),
@@ -166,7 +164,6 @@ impl TrialVoice for SpringVoice {
     }
 }
 
-/// Runs a voice on a key between its felts.
 fn verdict_of(make: VoiceMaker<'_>) -> LoopVerdict {
     let rig = RigParameters::default();
     let mut study = study(LoopValues::of_rig(&rig, 1e-3, 1e5));

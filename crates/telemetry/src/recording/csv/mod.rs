@@ -71,7 +71,6 @@ pub fn export_csv(
 struct KeyTable {
     table: CsvTable,
     header: Vec<String>,
-    /// Number of tables of the key.
     number: u32,
 }
 
@@ -80,7 +79,6 @@ struct CsvTables {
     catalogue: Catalogue,
     /// Models by their names and versions.
     models: BTreeMap<(String, u32), Rc<Model>>,
-    /// Models of each key's revisions.
     revisions: BTreeMap<(u32, u32), Rc<Model>>,
     current: BTreeMap<u32, Rc<Model>>,
     keys: BTreeMap<u32, KeyTable>,

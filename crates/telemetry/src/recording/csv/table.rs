@@ -1,12 +1,9 @@
-use std::fs::File;
-use std::io;
-use std::path::PathBuf;
+use std::{fs::File, io, path::PathBuf};
 
 use csv::Writer;
 
 use crate::recording::error::ExportError;
 
-/// A table that is being written.
 pub(super) struct CsvTable {
     path: PathBuf,
     writer: Writer<File>,

@@ -18,7 +18,6 @@ pub(super) enum Scheme {
     Wss,
 }
 
-/// Reason why a text is no address.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{0:?} is no host's address: give one as ws://127.0.0.1:8765")]
 pub(super) struct NoAddress(String);

@@ -4,15 +4,12 @@ use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::Waker;
-use crate::stream::Role;
 use crate::stream::backlog::{Backlog, Worth};
-use crate::stream::retained::retained_slot;
-use crate::{Arrival, ConnectionState, Topic};
+use crate::{Arrival, ConnectionState, Topic, stream::Role, stream::retained::retained_slot};
 
 /// Messages that wait for a window (bytes); more are dropped.
 const ROOM: usize = 32 << 20;
 
-/// Queue of arrivals for the window.
 pub(super) struct Arrivals {
     waiting: Mutex<Backlog<Arrival>>,
     state: Mutex<ConnectionState>,
@@ -22,7 +19,6 @@ pub(super) struct Arrivals {
 }
 
 impl Arrivals {
-    /// Creates an empty queue, which calls `waker` for each arrival.
     pub(super) fn new(waker: Option<Waker>) -> Self {
         Self {
             waiting: Mutex::new(Backlog::new(ROOM)),
@@ -32,15 +28,13 @@ impl Arrivals {
         }
     }
 
-    /// Adds an arrival with `bytes` of content.
     pub(super) fn push(&self, arrival: Arrival, bytes: usize) {
         let worth = worth(&arrival);
         self.waiting().push(arrival, worth, bytes);
         self.wake();
     }
 
-    /// Clears the queue for a new connection with rights `role`: of older arrivals only replies are
-    /// of use.
+    /// Clears the queue, except replies, for a new connection with rights `role`.
     pub(super) fn begin(&self, role: Option<Role>) {
         *self.role.lock().unwrap_or_else(PoisonError::into_inner) = role;
         self.waiting().forget(|arrival| !matches!(arrival, Arrival::Reply { .. }));
@@ -98,8 +92,7 @@ fn worth(arrival: &Arrival) -> Worth {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::Ticket;
-    use crate::{Catalogue, Event, Update};
+    use crate::{Catalogue, Event, Update, source::Ticket};
 
     fn update(update: Update) -> Arrival {
         Arrival::Update { at: 0, update: Box::new(update) }

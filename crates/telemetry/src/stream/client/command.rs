@@ -1,9 +1,7 @@
 use std::collections::BTreeSet;
 
-use crate::source::Ticket;
-use crate::{Request, Topic};
+use crate::{Request, Topic, source::Ticket};
 
-/// Command of a window to its connection.
 #[derive(Debug)]
 pub(super) enum ClientCommand {
     Follow(BTreeSet<Topic>),

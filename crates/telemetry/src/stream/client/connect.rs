@@ -2,8 +2,7 @@
 
 use std::time::Duration;
 
-use tokio::net::TcpStream;
-use tokio::time::timeout;
+use tokio::{net::TcpStream, time::timeout};
 use tokio_rustls::rustls::pki_types::ServerName;
 use tokio_tungstenite::tungstenite::Error;
 use tokio_tungstenite::tungstenite::client::ClientRequestBuilder;
@@ -14,18 +13,15 @@ use tokio_tungstenite::{WebSocketStream, client_async_with_config};
 
 use super::address::{HostAddress, Scheme};
 use super::{Dial, pin};
-use crate::stream::byte_stream::BoxedStream;
-use crate::stream::protocol::SUBPROTOCOLS;
+use crate::stream::{byte_stream::BoxedStream, protocol::SUBPROTOCOLS};
 
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Longest message from a host (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
-/// Reason why there is no connection, as a sentence.
 #[derive(Debug)]
 pub(super) enum ConnectError {
-    /// Another attempt may succeed.
     Lost(String),
     Refused(String),
 }

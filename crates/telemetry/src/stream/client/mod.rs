@@ -12,11 +12,7 @@ mod reconnect;
 mod session;
 mod socket;
 
-use std::collections::BTreeSet;
-use std::fmt;
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::thread;
+use std::{collections::BTreeSet, fmt, path::PathBuf, sync::Arc, thread};
 
 use tokio::sync::mpsc::{self, UnboundedSender};
 
@@ -25,8 +21,7 @@ use command::ClientCommand;
 use reconnect::ReconnectingClient;
 
 use super::{Fingerprint, Role};
-use crate::source::Ticket;
-use crate::{Arrival, ConnectionState, Reply, Request, Source, Topic};
+use crate::{Arrival, ConnectionState, Reply, Request, Source, Topic, source::Ticket};
 
 /// Callback for an arrival, from the client's own thread.
 pub type Waker = Box<dyn Fn() + Send + Sync>;
@@ -36,7 +31,6 @@ pub type Waker = Box<dyn Fn() + Send + Sync>;
 pub struct Dial {
     /// Address, as `wss://piano.local`; by default the scheme is `ws://` and the port 8765.
     pub address: String,
-    /// Token, if the host asks for one.
     pub token: Option<String>,
     /// Fingerprint of the host's certificate, as the host printed it; `wss://` needs it.
     pub pin: Option<Fingerprint>,

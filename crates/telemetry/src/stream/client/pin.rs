@@ -1,7 +1,6 @@
 //! Recognition of a host's certificate by its fingerprint; its signer does not matter.
 
-use std::io;
-use std::sync::Arc;
+use std::{io, sync::Arc};
 
 use tokio_rustls::TlsConnector;
 use tokio_rustls::rustls::client::danger::{
@@ -13,7 +12,6 @@ use tokio_rustls::rustls::{ClientConfig, DigitallySignedStruct, Error, Signature
 
 use crate::stream::Fingerprint;
 
-/// Returns the TLS connector for the host whose certificate has this fingerprint.
 pub(super) fn connector(pin: Fingerprint) -> Result<TlsConnector, Error> {
     let provider = Arc::new(crypto::ring::default_provider());
     let verifier = Arc::new(Pinned { pin, provider: Arc::clone(&provider) });

@@ -1,20 +1,13 @@
 //! Connects to a host, and again whenever the connection is lost.
 
-use std::collections::BTreeSet;
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::time::Duration;
+use std::{collections::BTreeSet, path::PathBuf, sync::Arc, time::Duration};
 
 use tokio::sync::mpsc::UnboundedReceiver;
 
-use super::Dial;
-use super::arrivals::Arrivals;
-use super::command::ClientCommand;
 use super::connect::{ConnectError, connect};
 use super::session::{ClientSession, SessionEnd};
-use super::socket;
-use crate::source::Ticket;
-use crate::{Arrival, ConnectionState, Request, Topic};
+use super::{Dial, arrivals::Arrivals, command::ClientCommand, socket};
+use crate::{Arrival, ConnectionState, Request, Topic, source::Ticket};
 
 /// Answer to a request without a connection.
 pub(super) const NOT_CONNECTED: &str = "no host is connected: wait until one is, and ask again";
@@ -28,7 +21,6 @@ const REFUSED: Duration = Duration::from_secs(5);
 /// Longest pause between the questions to a socket of this machine.
 const SOCKET: Duration = Duration::from_millis(500);
 
-/// Client that restores its connection.
 pub(super) struct ReconnectingClient {
     dial: Dial,
     arrivals: Arc<Arrivals>,
@@ -61,7 +53,6 @@ impl ReconnectingClient {
         }
     }
 
-    /// Keeps a connection until the window is closed.
     async fn keep_connected(&mut self) -> Result<std::convert::Infallible, WindowClosed> {
         let mut pause = PAUSES.0;
         loop {

@@ -7,19 +7,15 @@ use futures_util::{SinkExt as _, StreamExt as _};
 use tokio::sync::mpsc::UnboundedReceiver;
 use tokio::time::{Instant, timeout};
 use tokio_tungstenite::WebSocketStream;
-use tokio_tungstenite::tungstenite::protocol::CloseFrame;
-use tokio_tungstenite::tungstenite::{Bytes, Message};
+use tokio_tungstenite::tungstenite::{Bytes, Message, protocol::CloseFrame};
 
-use super::arrivals::Arrivals;
-use super::command::ClientCommand;
-use crate::source::Ticket;
-use crate::stream::Role;
-use crate::stream::byte_stream::BoxedStream;
+use super::{arrivals::Arrivals, command::ClientCommand};
 use crate::stream::protocol::{
     ClientFrame, FromClient, FromServer, Level, ParameterValue, ServerFrame, Service, Subscription,
     Text as _,
 };
-use crate::{Arrival, Log, Reply, Request, Topic, Update, log};
+use crate::stream::{Role, byte_stream::BoxedStream};
+use crate::{Arrival, Log, Reply, Request, Topic, Update, log, source::Ticket};
 
 const PING: Duration = Duration::from_secs(5);
 
@@ -56,7 +52,6 @@ pub(super) struct ClientSession<'a> {
     at: u64,
 }
 
-/// Messages to send next.
 type ToSend = Vec<Message>;
 
 impl<'a> ClientSession<'a> {
@@ -200,7 +195,6 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// Sends the requests that waited for the services' numbers.
     fn ask_waiting(&mut self) -> ToSend {
         self.awaits_services = false;
         let waiting = std::mem::take(&mut self.waiting);
@@ -237,7 +231,6 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// Subscribes to the topics that are wanted and available, and to nothing else.
     fn follow(&mut self, wanted: &BTreeSet<Topic>) -> ToSend {
         let left: Vec<u32> = self
             .subscriptions
@@ -327,7 +320,6 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// Returns an unused number of this connection.
     const fn number(&mut self) -> u32 {
         self.count = self.count.wrapping_add(1);
         self.count

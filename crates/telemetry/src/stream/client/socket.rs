@@ -1,16 +1,12 @@
 //! The control socket of a host on this machine: one request, one reply.
 
-use std::io;
-use std::path::Path;
-use std::time::Duration;
+use std::{io, path::Path, time::Duration};
 
 use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
-use tokio::net::UnixStream;
-use tokio::time::timeout;
+use tokio::{net::UnixStream, time::timeout};
 
 use super::Dial;
-use crate::stream::Fingerprint;
-use crate::{Reply, Request};
+use crate::{Reply, Request, stream::Fingerprint};
 
 /// Longest wait for a reply; a stop waits up to 4.5 s for boards that are being armed.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -44,8 +40,7 @@ async fn exchange(path: &Path, request: &Request) -> io::Result<Result<Reply, St
     Ok(serde_json::from_str(&line)?)
 }
 
-/// Returns the present address and secret of the host at the socket `path`. The error is a
-/// sentence.
+/// Returns address and secret of the host at the socket `path`. The error is a sentence.
 pub(super) async fn whereabouts(path: &Path) -> Result<Dial, String> {
     let Reply::Where { address, token } = ask(path, &Request::Where {}).await? else {
         return Err("the host here sent another reply than its address".to_owned());

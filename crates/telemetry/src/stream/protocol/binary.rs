@@ -10,7 +10,6 @@ const SERVICE_RESPONSE: u8 = 3;
 /// A binary message from a server.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ServerFrame<'a> {
-    /// A message of a channel.
     Message {
         /// Subscription, by the client's own number.
         subscription: u32,
@@ -20,7 +19,6 @@ pub enum ServerFrame<'a> {
     },
     /// Present time (ns since 1970).
     Time(u64),
-    /// The answer to a call.
     Response {
         service: u32,
         /// Call, by the client's own number.
@@ -70,14 +68,7 @@ impl<'a> ServerFrame<'a> {
 /// A binary message from a client.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ClientFrame<'a> {
-    Request {
-        service: u32,
-        /// Call, by the client's own number.
-        call: u32,
-        /// Encoding of the payload, as `json`.
-        encoding: &'a str,
-        payload: &'a [u8],
-    },
+    Request { service: u32, call: u32, encoding: &'a str, payload: &'a [u8] },
 }
 
 impl<'a> ClientFrame<'a> {
@@ -206,7 +197,6 @@ mod tests {
     proptest! {
         #[test]
         fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..64)) {
-            // A decoded frame is encoded to the same bytes.
             if let Ok(frame) = ServerFrame::decode(&bytes)
                 && !matches!(frame, ServerFrame::Time(_))
             {

@@ -38,7 +38,6 @@ impl Channel {
     }
 }
 
-/// Returns all channels of a host, which are always the same.
 pub fn channels() -> Vec<Channel> {
     // Hundreds of channels share a dozen schemas.
     let mut schemas = BTreeMap::new();

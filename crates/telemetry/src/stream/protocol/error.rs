@@ -9,11 +9,7 @@ pub enum ProtocolError {
     #[error("a binary message came with opcode {0}, which nobody here reads")]
     Opcode(u8),
     #[error("a binary message with opcode {opcode} came with {bytes} bytes, which is too short")]
-    Short {
-        /// Kind that it claims.
-        opcode: u8,
-        bytes: usize,
-    },
+    Short { opcode: u8, bytes: usize },
     #[error("a binary message came whose encoding is no text")]
     Encoding,
 }

@@ -63,7 +63,6 @@ mod tests {
         let message = FromClient::Subscribe { subscriptions };
         assert_eq!(message.encode().as_deref(), Some(text));
         assert_eq!(FromClient::decode(text).expect("a message"), message);
-
         let text = r#"{"op":"getParameters","parameterNames":[],"id":"x"}"#;
         let message =
             FromClient::GetParameters { parameter_names: vec![], id: Some("x".to_owned()) };

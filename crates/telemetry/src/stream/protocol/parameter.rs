@@ -22,7 +22,6 @@ impl ParameterValue {
         Self { name: name.into(), value: value.into(), kind: Some("float64".to_owned()) }
     }
 
-    /// Returns the change that setting the parameter means.
     pub fn change(&self) -> Result<Change, ParameterError> {
         let value = self.value.as_f64().filter(|value| value.is_finite());
         let value = value.ok_or_else(|| ParameterError::NoNumber(shortened(&self.name)))?;

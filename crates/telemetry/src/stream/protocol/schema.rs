@@ -22,7 +22,6 @@ fn descriptors(name: &str) -> Vec<u8> {
     FileDescriptorSet { file }.encode_to_vec()
 }
 
-/// Reduces `file` to the types that the message type `name` needs.
 fn reduced(mut file: FileDescriptorProto, name: &str) -> FileDescriptorProto {
     let package = format!(".{}.", file.package());
     let mut needed = BTreeSet::from([format!(".{name}")]);

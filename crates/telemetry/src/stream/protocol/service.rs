@@ -24,7 +24,6 @@ pub enum Service {
 }
 
 impl Service {
-    /// Every service, in the order of their numbers.
     pub const ALL: [Self; 13] = [
         Self::UseInstrument,
         Self::FollowBase,
@@ -41,7 +40,6 @@ impl Service {
         Self::Render,
     ];
 
-    /// Returns the service that carries `request`; `None` if it is of parameters.
     pub const fn of(request: &Request) -> Option<Self> {
         match request {
             // A client knows its connection, and follows the status.
@@ -104,7 +102,6 @@ impl Service {
         }
     }
 
-    /// Returns the name, as `/letoff/press`.
     pub fn name(self) -> String {
         format!("/letoff/{}", self.word())
     }
@@ -202,7 +199,6 @@ impl Service {
     }
 }
 
-/// Returns the properties of a request to save an instrument, and their names.
 fn saved_instrument() -> (Value, Value) {
     let keys = json!({
         "type": "array",
@@ -354,7 +350,6 @@ mod tests {
             let refused = Service::Press.request(payload).expect_err("wrong");
             assert!(refused.starts_with("/letoff/press was asked wrongly: "), "{refused}");
         }
-        // The name of another service has no effect.
         assert_eq!(Service::Scene.request(br#"{"service":"stop"}"#), Ok(Request::Scene {}));
     }
 }

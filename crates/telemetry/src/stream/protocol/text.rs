@@ -1,7 +1,6 @@
 //! JSON encoding of both sides' texts.
 
-use serde::Serialize;
-use serde::de::DeserializeOwned;
+use serde::{Serialize, de::DeserializeOwned};
 
 use super::{FromClient, FromServer, ProtocolError};
 

@@ -1,11 +1,7 @@
 //! Admission of clients, a bounded number at once.
 
-use std::collections::VecDeque;
-use std::io;
-use std::net::SocketAddr;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
+use std::{collections::VecDeque, io, net::SocketAddr, sync::Arc, time::Duration};
 
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot, watch};
@@ -16,10 +12,7 @@ use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
 use tokio_tungstenite::{WebSocketStream, accept_hdr_async_with_config};
 
 use super::admission::{self, AdmissionError};
-use super::connection;
-use super::plain_http;
-use super::state::ServerState;
-use super::{Backend, Role, StreamServer, Who};
+use super::{Backend, Role, StreamServer, Who, connection, plain_http, state::ServerState};
 use crate::stream::byte_stream::BoxedStream;
 
 /// Closes a server after its last answers, and tells each client why.
@@ -152,8 +145,7 @@ async fn open(state: &ServerState, stream: TcpStream, address: SocketAddr) -> Op
     plain_http::websocket_or_answer(state, stream, address).await
 }
 
-/// Makes both handshakes; returns `None` after answering a client that is rejected or asks for no
-/// WebSocket.
+/// Makes both handshakes; returns `None` after answering a client that gets no WebSocket.
 async fn enter(
     state: &ServerState,
     stream: TcpStream,

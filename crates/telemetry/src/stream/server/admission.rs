@@ -7,15 +7,11 @@ use tokio_tungstenite::tungstenite::http::{HeaderMap, Response, StatusCode, head
 use super::{Role, ServerSettings, Token};
 use crate::stream::protocol::SUBPROTOCOLS;
 
-/// Reason why a client is not admitted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum AdmissionError {
-    /// The origin of a web page is not listed.
     Origin,
     Protocol,
-    /// A token is needed.
     NoToken,
-    /// The token is unknown.
     Token,
     Full,
 }
@@ -109,7 +105,6 @@ fn given(request: &Request) -> Option<&str> {
     bearer(request.headers()).or_else(|| queried(request.uri().query()?))
 }
 
-/// Returns the token of `Authorization: Bearer <token>`.
 fn bearer(headers: &HeaderMap) -> Option<&str> {
     let (scheme, token) = headers.get(header::AUTHORIZATION)?.to_str().ok()?.split_once(' ')?;
     scheme.eq_ignore_ascii_case("bearer").then_some(token.trim())

@@ -1,7 +1,6 @@
 //! The host's side of the stream.
 
-use std::fmt;
-use std::net::SocketAddr;
+use std::{fmt, net::SocketAddr};
 
 use super::Role;
 use crate::{Reply, Request};
@@ -26,7 +25,6 @@ pub trait Backend: Send + Sync {
         None
     }
 
-    /// Handles the arrival of `who`.
     fn connected(&self, who: &Who) {
         let _ = who;
     }
@@ -39,7 +37,6 @@ pub trait Backend: Send + Sync {
         let _ = who;
     }
 
-    /// Handles the rejection of a client at `address`.
     fn refused(&self, address: SocketAddr, why: &str) {
         let _ = (address, why);
     }

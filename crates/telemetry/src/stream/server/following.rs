@@ -2,10 +2,8 @@
 
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
-use crate::stream::protocol::place;
-use crate::{KEYS, Topic};
+use crate::{KEYS, Topic, stream::protocol::place};
 
-/// The number of clients that follow each topic.
 #[derive(Debug)]
 pub(super) struct Following {
     counts: [AtomicU32; Topic::COMMON.len() + 2 * KEYS],
@@ -43,7 +41,6 @@ impl Following {
         }
     }
 
-    /// Returns the keys whose blocks or states a client follows: bit n is key n.
     pub(super) fn keys(&self) -> u128 {
         let keys = (0..=u8::MAX).take(KEYS);
         let followed =

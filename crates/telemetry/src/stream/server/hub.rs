@@ -1,12 +1,9 @@
 //! The hub: clients, their subscriptions, and the distribution of samples.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 use super::hub_handle::{ClientNumber, HubCommand, HubHandle, HubReceivers};
-use super::outbox::Outbox;
-use super::sample::StreamSample;
-use super::watched::WatchedParameters;
+use super::{outbox::Outbox, sample::StreamSample, watched::WatchedParameters};
 use crate::Topic;
 use crate::stream::protocol::{FromServer, Level, ParameterValue, Subscription, topic_of};
 
@@ -23,13 +20,11 @@ pub(super) struct Hub {
 #[derive(Debug)]
 struct Member {
     outbox: Arc<Outbox>,
-    /// The followed topics with the client's own numbers.
     follows: BTreeMap<Topic, u32>,
     watched: WatchedParameters,
 }
 
 impl Hub {
-    /// Creates a hub without clients, and its handle.
     pub(super) fn new() -> (Arc<HubHandle>, Self) {
         let (handle, receivers) = HubHandle::channel();
         let (latest, members) = (BTreeMap::new(), BTreeMap::new());
@@ -114,7 +109,6 @@ impl Hub {
         }
     }
 
-    /// Takes the samples that found no room in the queue.
     fn take_retained(&mut self) {
         for sample in self.handle.take_retained().into_values() {
             self.take(&sample);

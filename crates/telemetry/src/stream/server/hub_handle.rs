@@ -4,12 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use tokio::sync::mpsc::error::TrySendError;
-use tokio::sync::{Notify, mpsc, oneshot};
+use tokio::sync::{Notify, mpsc, mpsc::error::TrySendError, oneshot};
 
-use super::following::Following;
-use super::outbox::Outbox;
-use super::sample::StreamSample;
+use super::{following::Following, outbox::Outbox, sample::StreamSample};
 use crate::stream::protocol::{ParameterValue, Subscription};
 use crate::{Topic, Update};
 
@@ -19,14 +16,12 @@ const QUEUE: usize = 4096;
 /// The number of a client, counted in a run.
 pub(super) type ClientNumber = u64;
 
-/// Command of a connection or publisher to the hub.
 #[derive(Debug)]
 pub(super) enum HubCommand {
     Join(ClientNumber, Arc<Outbox>),
     Leave(ClientNumber),
     Subscribe(ClientNumber, Vec<Subscription>),
     Unsubscribe(ClientNumber, Vec<u32>),
-    /// A client follows the values of parameters.
     Watch(ClientNumber, Vec<String>),
     Unwatch(ClientNumber, Vec<String>),
     /// These are the new values of parameters.
@@ -35,7 +30,6 @@ pub(super) enum HubCommand {
     Flush(oneshot::Sender<()>),
 }
 
-/// Shared state of publishers and the hub.
 #[derive(Debug)]
 pub(super) struct HubHandle {
     pub(super) following: Following,

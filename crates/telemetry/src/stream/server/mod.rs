@@ -88,7 +88,6 @@ impl StreamServer {
         self.tls.as_ref().map(|identity| identity.fingerprint)
     }
 
-    /// Returns the handle that ends [`serve`] in good order.
     pub fn closer(&self) -> Closer {
         self.closer.clone()
     }

@@ -6,12 +6,10 @@ use std::sync::{Mutex, PoisonError};
 use tokio::sync::{Notify, mpsc};
 use tokio_tungstenite::tungstenite::Message;
 
-use super::ServerLimits;
-use super::sample::StreamSample;
+use super::{ServerLimits, sample::StreamSample};
 use crate::stream::backlog::{Backlog, Worth};
 use crate::stream::protocol::{FromServer, Level, ServerFrame, Text as _};
 
-/// The messages that wait for a client.
 #[derive(Debug)]
 pub(super) struct Outbox {
     control: mpsc::Sender<Message>,
@@ -33,7 +31,6 @@ struct QueuedSample {
 }
 
 impl Outbox {
-    /// Creates an empty outbox, and the receiver of its control queue.
     pub(super) fn new(limits: &ServerLimits) -> (Self, mpsc::Receiver<Message>) {
         let (control, receiver) = mpsc::channel(limits.control_messages.max(1));
         let outbox = Self {
@@ -69,7 +66,6 @@ impl Outbox {
         }
     }
 
-    /// Removes `message` from the size of the control queue.
     pub(super) fn taken(&self, message: &Message) {
         self.control_bytes.fetch_sub(message.len(), Ordering::Relaxed);
     }
@@ -79,7 +75,6 @@ impl Outbox {
         self.finishes.notify_one();
     }
 
-    /// Waits for [`Self::finish`].
     pub(super) async fn finished(&self) {
         while !self.is_finished.load(Ordering::Acquire) {
             self.finishes.notified().await;
@@ -98,7 +93,6 @@ impl Outbox {
         self.is_data.notify_one();
     }
 
-    /// Removes the samples of a subscription that has ended.
     pub(super) fn forget(&self, subscription: u32) {
         self.with_data(|data| data.forget(|queued| queued.subscription == subscription));
     }
@@ -112,7 +106,6 @@ impl Outbox {
         }
     }
 
-    /// Returns the number of dropped samples since the last call.
     pub(super) fn take_dropped(&self) -> u64 {
         self.with_data(Backlog::take_dropped)
     }

@@ -139,8 +139,7 @@ fn metrics(state: &ServerState, request: &Request, address: SocketAddr) -> Plain
     }
 }
 
-/// Returns `true` for a client with a token or a program of this machine; a web page must be
-/// listed, as on the stream.
+/// Returns `true` for a client with a token, a program of this machine, or a listed web page.
 fn may_read(
     state: &ServerState,
     request: &Request,

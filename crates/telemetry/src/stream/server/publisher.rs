@@ -1,14 +1,11 @@
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
+use std::sync::{Arc, atomic::Ordering};
 
 use tokio::sync::oneshot;
 
-use super::ParameterSetting;
 use super::hub_handle::{HubCommand, HubHandle};
-use super::sample::StreamSample;
-use crate::stream::protocol::ParameterValue;
+use super::{ParameterSetting, sample::StreamSample};
 use crate::stream::retained::{log_slot, retained_slot};
-use crate::{Topic, Update};
+use crate::{Topic, Update, stream::protocol::ParameterValue};
 
 /// Access of the host to the stream, from any thread.
 #[derive(Clone, Debug)]
@@ -42,8 +39,7 @@ impl Publisher {
         self.0.following.has(topic)
     }
 
-    /// Returns the number of subscriptions to topics since the start. When it changes, a client
-    /// lacks the keys that have not moved since.
+    /// Returns the number of subscriptions so far. When it changes, a client lacks resting keys.
     pub fn followings(&self) -> u64 {
         self.0.following.begun()
     }

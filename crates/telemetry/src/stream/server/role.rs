@@ -1,7 +1,6 @@
 pub use crate::role::Role;
 
-use crate::Request;
-use crate::stream::protocol::Service;
+use crate::{Request, stream::protocol::Service};
 
 impl Role {
     /// Returns the least role that may send `request`.
@@ -31,7 +30,6 @@ impl Role {
         }
     }
 
-    /// Checks that the role may send `request`; the error is a sentence.
     pub fn check(self, request: &Request) -> Result<(), String> {
         let needed = Self::for_request(request);
         if self >= needed {

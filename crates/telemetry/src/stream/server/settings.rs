@@ -1,9 +1,7 @@
 //! Settings and limits of a server.
 
-use std::io;
 use std::net::{Ipv4Addr, SocketAddr};
-use std::path::PathBuf;
-use std::time::Duration;
+use std::{io, path::PathBuf, time::Duration};
 
 use ring::rand::SecureRandom as _;
 
@@ -12,7 +10,6 @@ use super::Role;
 /// Settings of a server.
 #[derive(Clone, Debug)]
 pub struct ServerSettings {
-    /// The address; port 0 takes any free one.
     pub address: SocketAddr,
     /// Name that viewers show.
     pub name: String,
@@ -156,13 +153,11 @@ impl Default for ServerLimits {
 /// Reason why a server rejects its settings.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum Unsafe {
-    /// An address beyond this machine, without protection.
     #[error(
         "the stream would listen at {0} without {1}: give it both --tokens and --tls, or listen at \
          127.0.0.1"
     )]
     Open(SocketAddr, &'static str),
-    /// A token that is not valid in an address.
     #[error("a token of the stream has other than letters, digits and -._~ in it")]
     Token,
     #[error(
@@ -179,7 +174,6 @@ pub enum Unsafe {
 }
 
 impl ServerSettings {
-    /// Checks that the settings are safe; a server accepts no others.
     pub fn check(&self) -> Result<(), Unsafe> {
         let is_open = !self.address.ip().is_loopback() && !self.insecure;
         if let Some(lack) = self.missing_protection().filter(|_lack| is_open) {

@@ -1,5 +1,4 @@
-use std::sync::Arc;
-use std::sync::atomic::AtomicU64;
+use std::sync::{Arc, atomic::AtomicU64};
 
 use tokio::sync::{Semaphore, watch};
 use tokio_rustls::TlsAcceptor;
@@ -7,7 +6,6 @@ use tokio_tungstenite::tungstenite::Message;
 
 use super::{Backend, Publisher, ServerSettings};
 
-/// Shared state of all connections.
 pub(super) struct ServerState {
     pub(super) settings: ServerSettings,
     pub(super) publisher: Publisher,
@@ -21,7 +19,6 @@ pub(super) struct ServerState {
     pub(super) others: Arc<Semaphore>,
     /// Number of clients that were admitted so far.
     pub(super) count: AtomicU64,
-    /// Reason why the server closes, once it does.
     pub(super) closing: watch::Receiver<Option<String>>,
 }
 
@@ -32,7 +29,6 @@ impl ServerState {
         }
     }
 
-    /// Returns the reason why the server closes; empty until then.
     pub(super) fn reason(&self) -> String {
         self.closing.borrow().clone().unwrap_or_default()
     }

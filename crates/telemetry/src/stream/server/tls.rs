@@ -1,14 +1,10 @@
 //! Certificates, and encryption with them.
 
-use std::fs;
-use std::io;
-use std::path::Path;
-use std::sync::Arc;
+use std::{fs, io, path::Path, sync::Arc};
 
 use documents::shown;
 use tokio_rustls::TlsAcceptor;
-use tokio_rustls::rustls::pki_types::pem::PemObject as _;
-use tokio_rustls::rustls::pki_types::{CertificateDer, PrivateKeyDer};
+use tokio_rustls::rustls::pki_types::{CertificateDer, PrivateKeyDer, pem::PemObject as _};
 use tokio_rustls::rustls::{self, ServerConfig, crypto, version};
 
 use super::Tls;

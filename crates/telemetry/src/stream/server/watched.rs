@@ -1,7 +1,6 @@
 use std::collections::BTreeSet;
 
-use crate::request::Change;
-use crate::stream::protocol::ParameterValue;
+use crate::{request::Change, stream::protocol::ParameterValue};
 
 /// Most names of a client, more than a full keyboard has.
 const MOST_NAMES: usize = 16_384;
@@ -57,7 +56,6 @@ impl WatchedParameters {
     }
 }
 
-/// Returns `true` if a parameter of this name may exist; others need no memory.
 fn can_change(name: &str) -> bool {
     name.len() <= LONGEST_NAME && Change::named(name, 0.0).is_some()
 }

@@ -1,7 +1,6 @@
 //! Ranges of simulated keys with known limits, in virtual time.
 
-use haptics::plant::RigParameters;
-use haptics::{AnyEstimator, BackwardDifference, SampledWall};
+use haptics::{AnyEstimator, BackwardDifference, SampledWall, plant::RigParameters};
 use scheduler::motion::KeySlope;
 
 use super::super::{CalibrationFault, Next, Rested, Travelled};

@@ -6,8 +6,7 @@ use proptest::prelude::*;
 
 use super::read::{WantedKeys, parse as parse_wanted};
 use super::{CalibrationSheet, backup, load, load_partial, read, write};
-use crate::calibration::KeyCalibration;
-use crate::identity::Uid;
+use crate::{calibration::KeyCalibration, identity::Uid};
 
 const UID: Uid = Uid([0x53, 0x49, 0x4d, 3, 33, 0]);
 
@@ -162,7 +161,6 @@ proptest! {
     #[test]
     fn a_file_that_was_cut_is_refused(at in 0..1_000_usize) {
         let text = sheet(3).render();
-        // The last line is blank and may be lost.
         let cut = &text.as_bytes()[..at * (text.len() - 4) / 1_000];
         prop_assert!(parse("f.toml", cut, UID, 3).is_err());
     }

@@ -3,9 +3,8 @@
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::can::{agrees, identifier, padded};
 
-use super::CanMode;
 use super::bus::{BusRead, CanBus, Data};
-use super::classic::Classic;
+use super::{CanMode, classic::Classic};
 use crate::links::{Health, Link, RecvError, SendError};
 
 /// Frames of the bus and reports to read for one frame of the protocol; the rest waits for the

@@ -1,9 +1,6 @@
 //! Settings of the kernel that delay a tick.
 
-use std::collections::BTreeSet;
-use std::fmt;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeSet, fmt, fs, path::Path};
 
 use super::files::{number, text};
 
@@ -20,7 +17,6 @@ impl KernelVersion {
         Some(Self { major: numbers.next()?.ok()?, minor: numbers.next()?.ok()? })
     }
 
-    /// Returns the version of the kernel whose files are under `root`.
     pub(in super::super) fn read(root: &Path) -> Option<Self> {
         Self::of(&release(root)?)
     }

@@ -15,7 +15,6 @@ pub(super) enum ResourceLimit {
     Of(u64),
 }
 
-/// Limits that matter to a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct ProcessLimits {
     pub(super) priority: ResourceLimit,
@@ -24,7 +23,6 @@ pub(super) struct ProcessLimits {
 }
 
 impl ProcessLimits {
-    /// Returns the limits of this process, whose files are under `root`.
     pub(super) fn read(root: &Path) -> Option<Self> {
         let process = root.join("proc/self");
         let limits = text(&process.join("limits"))?;

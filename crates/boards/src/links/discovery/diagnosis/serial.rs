@@ -13,7 +13,6 @@ pub(in super::super) fn latency_timer(sys: &Path, tty: &str) -> Option<u32> {
     number(&sys.join("bus/usb-serial/devices").join(tty).join("latency_timer"))
 }
 
-/// Returns all advice on the terminal `tty`; `places` are all USB devices with ports.
 pub(in super::super) fn advice(
     tty: &str,
     latency: Option<u32>,

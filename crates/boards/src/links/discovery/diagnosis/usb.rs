@@ -17,7 +17,6 @@ pub enum UsbSpeed {
 }
 
 impl UsbSpeed {
-    /// Parses the megabits of the kernel's file.
     fn of(megabits: &str) -> Option<Self> {
         let megabits: f64 = megabits.parse().ok()?;
         Some(if megabits < 12.0 {
@@ -94,7 +93,6 @@ pub(super) mod tests {
 
     const BUS: &str = "devices/pci0/usb1";
 
-    /// Adds a hub or device to a USB tree: speed (Mbit/s) and `bDeviceProtocol`.
     fn with_usb(root: Root, path: &str, speed: &str, protocol: &str) -> Root {
         let files = [("idVendor", "1209"), ("speed", speed), ("bDeviceProtocol", protocol)];
         root.with_all(&format!("{BUS}{path}"), &files)
@@ -106,7 +104,6 @@ pub(super) mod tests {
             .with_link(&format!("class/tty/{tty}/device"), &interface)
     }
 
-    /// Makes two full-speed devices behind a hub of this protocol and one on its own port.
     pub(in super::super) fn tree(test: &str, protocol: &str) -> Root {
         let mut root = with_usb(Root::new(test), "", "480", "01");
         root = with_usb(root, "/1-1", "480", protocol);

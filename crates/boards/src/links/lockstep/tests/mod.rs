@@ -4,8 +4,7 @@ use super::*;
 
 const STEP: Duration = Duration::from_micros(500);
 
-/// Starts a Python program in lockstep that behaves as `how` says; returns its report file too.
-/// Prints a note and returns `None` without Python.
+/// Starts a Python program in lockstep that behaves as `how` says, with its report, if possible.
 fn start(how: &str) -> Option<(Lockstep, HostClock, PathBuf)> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/links/lockstep/program.py");
     let report = std::env::temp_dir().join(format!("letoff-{}-{how}", std::process::id()));

@@ -4,7 +4,6 @@ use pode::Motion;
 
 use super::*;
 
-/// A ball without equations.
 #[derive(Clone, Copy, Debug)]
 struct Ball;
 
@@ -29,7 +28,6 @@ fn expected(t: f64, guard: &str, to: Mode) -> ExpectedEvent<Ball> {
     ExpectedEvent { t, guard: guard.to_owned(), to }
 }
 
-/// Two bounces and a lift, states of size 2 and 4, forces of size 10.
 fn reference() -> Reference<Ball> {
     Reference {
         events: vec![

@@ -2,17 +2,13 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use tokio::sync::mpsc;
-use tokio::task::JoinHandle;
+use tokio::{sync::mpsc, task::JoinHandle};
 use tokio_tungstenite::tungstenite::Message;
 
 use crate::stream::protocol::{FromServer, Level, ParameterError, ParameterValue, ServerFrame};
-use crate::stream::server::outbox::Outbox;
-use crate::stream::server::state::ServerState;
-use crate::stream::server::{ParameterSetting, Who};
+use crate::stream::server::{ParameterSetting, Who, outbox::Outbox, state::ServerState};
 use crate::{Reply, Request};
 
-/// A request that waits for its answer.
 #[derive(Debug)]
 pub(super) struct PendingAnswer {
     pub(super) receipt: Receipt,
@@ -28,7 +24,6 @@ pub(super) enum Receipt {
     Call(u32, u32),
 }
 
-/// A request of a client.
 #[derive(Debug)]
 pub(super) enum ClientRequest {
     /// Values of parameters; of all if empty.

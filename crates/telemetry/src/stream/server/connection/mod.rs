@@ -5,16 +5,11 @@ mod read;
 mod token_bucket;
 mod write;
 
-use std::collections::BTreeMap;
-use std::pin::pin;
-use std::sync::Arc;
-use std::time::Duration;
+use std::{collections::BTreeMap, pin::pin, sync::Arc, time::Duration};
 
 use futures_util::StreamExt as _;
-use tokio::sync::mpsc;
-use tokio::time::timeout;
-use tokio_tungstenite::WebSocketStream;
-use tokio_tungstenite::tungstenite::Message;
+use tokio::{sync::mpsc, time::timeout};
+use tokio_tungstenite::{WebSocketStream, tungstenite::Message};
 
 use answer::Answerer;
 use read::RequestReader;
@@ -91,7 +86,6 @@ impl Drop for Presence {
     }
 }
 
-/// Reason for the end of a connection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ConnectionEnd {
     Left,
@@ -99,7 +93,6 @@ pub(super) enum ConnectionEnd {
     Stalled,
     /// The client sent nothing.
     Silent,
-    /// A message exceeded the limit.
     TooLarge,
     Over,
 }
@@ -123,7 +116,6 @@ impl Drop for Membership {
     }
 }
 
-/// Returns the first message to a client of this role.
 fn information(settings: &ServerSettings, role: Role) -> FromServer {
     let capabilities = ["parameters", "parametersSubscribe", "services"];
     FromServer::ServerInfo {

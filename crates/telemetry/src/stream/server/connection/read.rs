@@ -1,18 +1,15 @@
 //! Messages of a client, and their dispatch.
 
-use std::sync::Arc;
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
-use futures_util::StreamExt as _;
-use futures_util::stream::SplitStream;
+use futures_util::{StreamExt as _, stream::SplitStream};
 use tokio::sync::mpsc;
 use tokio::time::{Instant, sleep, timeout};
 use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::{Error, Message};
 
-use super::ConnectionEnd;
 use super::answer::{ClientRequest, PendingAnswer, Receipt};
-use super::token_bucket::TokenBucket;
+use super::{ConnectionEnd, token_bucket::TokenBucket};
 use crate::Request;
 use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::{ClientFrame, FromClient, Level, Service, Text as _};
@@ -36,7 +33,6 @@ pub(super) struct RequestReader {
 }
 
 impl RequestReader {
-    /// Creates a reader for `who`, which passes requests to `asked`, and a stop to `urgent`.
     pub(super) fn new(
         state: &ServerState,
         outbox: Arc<Outbox>,
@@ -127,7 +123,6 @@ impl RequestReader {
         self.ask(Receipt::Call(service, call), ClientRequest::Call(request));
     }
 
-    /// Passes a request on, unless there are too many.
     fn ask(&mut self, receipt: Receipt, request: ClientRequest) {
         let answer = PendingAnswer { receipt, request };
         let queue = if answer.is_urgent() { &self.urgent } else { &self.asked };

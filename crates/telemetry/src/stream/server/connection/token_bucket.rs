@@ -16,7 +16,6 @@ impl TokenBucket {
         Self { per_second, level: 2.0 * per_second, since: now }
     }
 
-    /// Returns `true` and counts one more if it is allowed now.
     pub(super) fn take(&mut self, now: Instant) -> bool {
         self.fill(now);
         let is_free = self.level >= 1.0;

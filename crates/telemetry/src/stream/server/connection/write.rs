@@ -1,19 +1,15 @@
 //! Messages to a client, and their order.
 
-use futures_util::SinkExt as _;
-use futures_util::stream::SplitSink;
+use futures_util::{SinkExt as _, stream::SplitSink};
 use tokio::sync::mpsc;
 use tokio::time::{Duration, Interval, MissedTickBehavior, timeout};
 use tokio_tungstenite::WebSocketStream;
-use tokio_tungstenite::tungstenite::protocol::CloseFrame;
-use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
+use tokio_tungstenite::tungstenite::protocol::{CloseFrame, frame::coding::CloseCode};
 use tokio_tungstenite::tungstenite::{Bytes, Message, Utf8Bytes};
 
 use super::ConnectionEnd;
-use crate::stream::byte_stream::BoxedStream;
-use crate::stream::protocol::Level;
-use crate::stream::server::ServerLimits;
-use crate::stream::server::outbox::Outbox;
+use crate::stream::server::{ServerLimits, outbox::Outbox};
+use crate::stream::{byte_stream::BoxedStream, protocol::Level};
 
 type FrameSink = SplitSink<WebSocketStream<BoxedStream>, Message>;
 
@@ -80,7 +76,6 @@ fn interval(period: Duration) -> Interval {
     interval
 }
 
-/// Sends the number of dropped samples, if any.
 fn warn(outbox: &Outbox) {
     let dropped = outbox.take_dropped();
     if dropped > 0 {

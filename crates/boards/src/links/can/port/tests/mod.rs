@@ -1,5 +1,4 @@
-use std::cell::RefCell;
-use std::collections::VecDeque;
+use std::{cell::RefCell, collections::VecDeque};
 
 use super::super::bus::ControllerReport;
 use super::*;
@@ -9,7 +8,6 @@ use crate::links::WireState;
 #[derive(Default)]
 struct Memory {
     arrivals: RefCell<VecDeque<BusRead>>,
-    /// Frames that it accepts before it is full.
     room: usize,
 }
 
