@@ -5,7 +5,7 @@ use midly::num::{u4, u7, u15, u24, u28};
 use midly::{
     Format, Fps, Header, MetaMessage, MidiMessage, Smf, Timing, TrackEvent, TrackEventKind,
 };
-use pianist::PassedOver::{OffKeyboard, Overlapping, Percussion, SkippedBytes};
+use pianist::PassedOver::{Overlapping, SkippedBytes};
 use pianist::{Score, ScoreError, ScoreNote, read};
 use proptest::prelude::*;
 
@@ -51,21 +51,6 @@ fn note(key: u8, onset: f64, end: f64, velocity: u8) -> ScoreNote {
 }
 
 #[test]
-fn tempo_changes_hold_for_all_tracks_and_in_the_middle_of_notes() {
-    let conductor = vec![tempo(0, 1_000_000), tempo(150, 250_000)];
-    let player = vec![on(100, 60, 70), off(100, 60), on(100, 62, 71), off(100, 62)];
-    let found = read(&file(PPQ_100, &[conductor, player])).expect("a score");
-    // 1.5 s until tick 150, then 2.5 ms a tick.
-    assert_eq!(found.notes, [note(39, 1.0, 1.625, 70), note(41, 1.875, 2.125, 71)]);
-}
-
-#[test]
-fn after_a_tempo_of_zero_the_one_before_holds_on() {
-    let found = score(&[tempo(0, 1_000_000), tempo(50, 0), on(50, 60, 70), off(100, 60)]);
-    assert_eq!(found.notes, [note(39, 1.0, 2.0, 70)]);
-}
-
-#[test]
 fn what_follows_the_last_track_and_is_no_chunk_is_passed_over() {
     let whole = file(PPQ_100, &[vec![on(0, 60, 70), off(100, 60)]]);
     for trailing in [&b"12345678"[..], b"\n", b"MTrk\xff\xff\xff\xff and less than that", &[0; 64]]
@@ -88,36 +73,10 @@ fn smpte_time_ignores_tempo() {
 }
 
 #[test]
-fn a_note_on_of_velocity_zero_ends_a_note() {
-    assert_eq!(score(&[on(0, 60, 70), on(200, 60, 0)]).notes, [note(39, 0.0, 1.0, 70)]);
-}
-
-#[test]
-fn a_note_that_is_never_ended_ends_with_the_file() {
-    let found = score(&[on(0, 60, 70), on(100, 62, 70), off(100, 62)]);
-    assert_eq!(found.notes[0], note(39, 0.0, 1.0, 70));
-}
-
-#[test]
-fn of_overlapping_notes_the_earlier_ends() {
-    let found = score(&[on(0, 60, 70), on(100, 60, 80), off(100, 60), off(100, 60)]);
-    assert_eq!(found.notes, [note(39, 0.0, 0.5, 70), note(39, 0.5, 1.5, 80)]);
-    assert_eq!(found.passed_over.of(Overlapping), 1);
-}
-
-#[test]
 fn of_notes_that_begin_together_the_loudest_stays() {
     let found = score(&[on(0, 60, 70), on(0, 60, 80), off(100, 60), off(100, 60)]);
     assert_eq!(found.notes, [note(39, 0.0, 1.0, 80)]);
     assert_eq!(found.passed_over.of(Overlapping), 1);
-}
-
-#[test]
-fn notes_off_the_keyboard_and_percussion_are_skipped_and_counted() {
-    let drum = MidiMessage::NoteOn { key: u7::new(40), vel: u7::new(90) };
-    let found = score(&[on(0, 20, 70), on(0, 109, 70), event(0, 9, drum), on(0, 21, 70)]);
-    let counted = [OffKeyboard, Percussion].map(|kind| found.passed_over.of(kind));
-    assert_eq!((found.notes.len(), counted), (1, [2, 1]));
 }
 
 #[test]

@@ -32,23 +32,25 @@ impl RunReport {
                 (notes.velocity_error.p99, VELOCITY, "is the p99 of the velocity error", "units"),
             ]);
         }
-        let grade = |(value, (good, fair), ..): &(f64, GradeLimits, &str, &str)| {
+        let grade = |&(value, (good, fair), ..): &(f64, GradeLimits, &str, &str)| {
             u8::from(good < value) + u8::from(fair < value)
         };
         let worst = measures.iter().map(grade).max().unwrap_or(0);
         if worst == 0 {
             return "good: no tick and no note beyond what a player notices".to_owned();
         }
-        let words = |it: &(f64, GradeLimits, &str, &str)| {
-            let &(value, (good, _), what, unit) = it;
+        let named = measures.iter().filter(|it| grade(it) == worst);
+        let named = named.map(|(value, (good, _), what, unit)| {
             format!("{value:.2} {unit} {what} (good is up to {good})")
-        };
-        let named = measures.iter().filter(|it| grade(it) == worst).map(words);
+        });
         let named = named.collect::<Vec<_>>().join(", ");
-        let remedy = match (LATE_TICKS.0 < late, self.deadline.missed_own_work) {
-            (false, _) => "",
-            (true, 0) => "; this machine was busy with something else",
-            (true, _) => "; `letoff plan` and [overload] lighten the voices",
+        let own_work = self.deadline.missed_own_work;
+        let remedy = if late <= LATE_TICKS.0 {
+            ""
+        } else if self.deadline.missed < 2 * own_work {
+            "; fewer voices, a lower tick_hz or a cheaper instrument help"
+        } else {
+            "; this machine was busy otherwise"
         };
         format!("{}: {named}{remedy}", if worst == 1 { "fair" } else { "poor" })
     }

@@ -6,8 +6,8 @@ const MAX_TICK: f64 = 50e-6;
 /// Largest division that the header of a file can express.
 const MAX_DIVISION: u16 = 0x7FFF;
 
-/// Length of a quarter note before the first tempo (µs): 120 a minute.
-const QUARTER_US: u32 = 500_000;
+/// Length of a quarter note before the first tempo: 500 000 us, 120 a minute.
+const QUARTER: [u8; 3] = [0x07, 0xA1, 0x20];
 
 /// Longest bar that precedes a piece as a whole (s).
 const MAX_BAR: f64 = 15.0;
@@ -43,20 +43,23 @@ pub struct ScoreTiming {
     division: u16,
     /// Ticks of the piece by which it begins later in the recording.
     lead_in: u64,
-    /// In order of ticks.
+    /// In order of ticks, with a tempo at the start.
     marks: Vec<ScoreMark>,
 }
 
 impl Default for ScoreTiming {
     /// Returns 120 quarter notes a minute of 10 080 ticks.
     fn default() -> Self {
-        Self { division: 10_080, lead_in: 0, marks: Vec::new() }
+        Self::new(10_080, Vec::new())
     }
 }
 
 impl ScoreTiming {
     /// Returns the timing of a piece with `division` ticks per quarter note, above 0.
     pub fn new(division: u16, mut marks: Vec<ScoreMark>) -> Self {
+        if !marks.iter().any(|mark| (mark.tick, mark.kind) == (0, meta::TEMPO)) {
+            marks.push(ScoreMark { tick: 0, kind: meta::TEMPO, data: QUARTER.to_vec() });
+        }
         // In order of the file: of several tempi at one tick the last one holds.
         marks.sort_by_key(|mark| (mark.tick, mark.kind));
         marks.dedup();
@@ -68,7 +71,8 @@ impl ScoreTiming {
     /// 15 s, or no whole number of ticks, is not waited for.
     #[must_use]
     pub fn begin_after(&mut self, least: f64) -> f64 {
-        let tick = f64::from(self.first_tempo()) * 1e-6 / f64::from(self.division);
+        let tick =
+            self.first(meta::TEMPO).and_then(quarter).unwrap_or(0.5) / f64::from(self.division);
         let bar = self.first_bar().filter(|ticks| *ticks as f64 * tick <= MAX_BAR).unwrap_or(1);
         #[expect(
             clippy::cast_possible_truncation,
@@ -85,61 +89,54 @@ impl ScoreTiming {
         at_start.filter(|mark| mark.kind == kind).last().map(|mark| mark.data.as_slice())
     }
 
-    fn first_tempo(&self) -> u32 {
-        self.first(meta::TEMPO).and_then(tempo).unwrap_or(QUARTER_US)
-    }
-
     /// Returns the ticks of the first bar; `None` if they are no whole number.
     fn first_bar(&self) -> Option<u64> {
-        let (beats, power) = match self.first(meta::TIME_SIGNATURE) {
-            Some(&[beats, power, ..]) => (beats, power),
-            Some(_) | None => (4, 2),
+        let Some(&[beats, power, ..]) = self.first(meta::TIME_SIGNATURE).or(Some(&[4, 2])) else {
+            return None;
         };
         let ticks = 4 * u64::from(self.division) * u64::from(beats);
         let parts = 1_u64.checked_shl(power.into())?;
         (0 < ticks && ticks.is_multiple_of(parts)).then_some(ticks / parts)
     }
 
-    /// Returns the map of the recording, with ticks of at most 50 µs where possible.
+    /// Returns the map of the recording, with ticks of at most 50 us where possible.
     pub(super) fn tempo_map(&self) -> TempoMap {
-        let tempi = self.marks.iter().filter(|mark| mark.kind == meta::TEMPO);
-        let changes = tempi.filter_map(|mark| Some((mark.tick, tempo(&mark.data)?)));
-        let changes: Vec<_> = changes.collect();
-        let first = self.first_tempo();
-        let slowest = changes.iter().map(|(_, us)| *us).chain([first]).max().unwrap_or(first);
-        let wanted = f64::from(slowest) * 1e-6 / (f64::from(self.division) * MAX_TICK);
+        let quarters = self.marks.iter().filter(|mark| mark.kind == meta::TEMPO);
+        let quarters = quarters.filter_map(|mark| Some((mark, quarter(&mark.data)?)));
+        let slowest = quarters.clone().map(|(_, length)| length).fold(0.0, f64::max);
         let possible = MAX_DIVISION / self.division;
-        let is_enough = |factor: &u16| wanted <= f64::from(*factor);
+        let is_enough = |factor: &u16| slowest <= f64::from(self.division * factor) * MAX_TICK;
         let factor = (1..possible).find(is_enough).unwrap_or(possible);
-        let mut map = TempoMap {
-            division: self.division * factor,
-            factor: factor.into(),
-            lead_in: self.lead_in,
-            first,
-            segments: Vec::new(),
-        };
-        map.change(0, first);
-        for (tick, us) in changes.into_iter().filter(|(tick, _)| 0 < *tick) {
-            map.change(map.written(tick), us);
+        let division = self.division * factor;
+        let mut segments: Vec<(u64, f64, f64)> = Vec::new();
+        for (mark, length) in quarters {
+            let tick = self.written_tick(mark).saturating_mul(factor.into());
+            let at = segments.last().map_or(0.0, |(from, at, it)| at + (tick - from) as f64 * it);
+            segments.push((tick, at, length / f64::from(division)));
         }
-        map
+        TempoMap { division, factor, segments }
     }
 
-    /// Returns the marks with their ticks in the recording: those at the start of the piece are at
-    /// the start of the recording, except for markers.
-    pub(super) fn written_marks(&self, map: &TempoMap) -> impl Iterator<Item = (u64, u8, &[u8])> {
-        self.marks.iter().map(|mark| {
-            let stays = mark.tick == 0 && !matches!(mark.kind, meta::MARKER | meta::CUE);
-            (if stays { 0 } else { map.written(mark.tick) }, mark.kind, mark.data.as_slice())
-        })
+    /// Returns the tick of `mark` in a recording with the division of the piece: marks at the start
+    /// of the piece are at the start of the recording, except for markers.
+    fn written_tick(&self, mark: &ScoreMark) -> u64 {
+        let stays = mark.tick == 0 && !matches!(mark.kind, meta::MARKER | meta::CUE);
+        if stays { 0 } else { mark.tick.saturating_add(self.lead_in) }
+    }
+
+    /// Returns the marks with their ticks in the recording.
+    pub(super) fn written_marks(&self, map: &TempoMap) -> impl Iterator<Item = (u64, &ScoreMark)> {
+        let factor = map.factor.into();
+        self.marks.iter().map(move |it| (self.written_tick(it).saturating_mul(factor), it))
     }
 }
 
-/// Returns the length of a quarter note (µs) of a tempo event; `None` for zero, after which all
+/// Returns the length of a quarter note (s) of a tempo event; `None` for zero, after which all
 /// events would be at one time.
-pub fn tempo(data: &[u8]) -> Option<u32> {
+pub fn quarter(data: &[u8]) -> Option<f64> {
     let [high, middle, low] = *data.first_chunk::<3>()?;
-    Some(u32::from_be_bytes([0, high, middle, low])).filter(|us| 0 < *us)
+    let us = u32::from_be_bytes([0, high, middle, low]);
+    (0 < us).then(|| f64::from(us) * 1e-6)
 }
 
 /// Ticks of a recording as a function of time.
@@ -147,27 +144,12 @@ pub fn tempo(data: &[u8]) -> Option<u32> {
 pub(super) struct TempoMap {
     pub(super) division: u16,
     /// Ticks of the recording in one of the piece.
-    factor: u64,
-    lead_in: u64,
-    /// Length of the first quarter notes (µs).
-    pub(super) first: u32,
+    factor: u16,
     /// First tick, its time (s), and the length of a tick from there on (s).
     segments: Vec<(u64, f64, f64)>,
 }
 
 impl TempoMap {
-    fn written(&self, tick: u64) -> u64 {
-        tick.saturating_add(self.lead_in).saturating_mul(self.factor)
-    }
-
-    fn change(&mut self, tick: u64, us: u32) {
-        let at = match self.segments.last() {
-            Some(&(from, at, length)) => at + (tick - from) as f64 * length,
-            None => 0.0,
-        };
-        self.segments.push((tick, at, f64::from(us) * 1e-6 / f64::from(self.division)));
-    }
-
     /// Converts `at` (s) to ticks; a time before the start becomes the start.
     pub(super) fn ticks(&self, at: f64) -> u64 {
         let index = self.segments.partition_point(|(_, from, _)| *from <= at).saturating_sub(1);

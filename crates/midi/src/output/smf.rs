@@ -3,12 +3,13 @@
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Write as _};
+use std::iter;
 use std::path::{Path, PathBuf};
 
-use midly::num::{u4, u7, u15, u24, u28};
+use midly::num::{u4, u7, u15, u28};
 use midly::{Format, Header, MetaMessage, MidiMessage, Timing, TrackEvent, TrackEventKind};
 
-use super::score_timing::{ScoreTiming, meta};
+use super::score_timing::ScoreTiming;
 use super::{MidiSendError, Output};
 use crate::message::{Controller, Message};
 
@@ -91,16 +92,14 @@ impl Output for Smf {
 /// last message.
 fn encode(messages: &[(f64, Message)], timing: &ScoreTiming) -> io::Result<Vec<u8>> {
     let map = timing.tempo_map();
-    let tempo = MetaMessage::Tempo(u24::from_int_lossy(map.first));
-    let start = [MetaMessage::Text(PROGRAM), tempo].map(|it| (0, TrackEventKind::Meta(it)));
+    let program = (0, TrackEventKind::Meta(MetaMessage::Text(PROGRAM)));
     let end = messages.last().map_or(0, |(at, _)| map.ticks(*at));
     let marks = timing
         .written_marks(&map)
-        .filter(|(tick, kind, _)| *tick <= end && !(*tick == 0 && *kind == meta::TEMPO));
-    let marks = marks
-        .map(|(tick, kind, data)| (tick, TrackEventKind::Meta(MetaMessage::Unknown(kind, data))));
+        .filter(|(tick, _)| *tick <= end)
+        .map(|(tick, it)| (tick, TrackEventKind::Meta(MetaMessage::Unknown(it.kind, &it.data))));
     let messages = messages.iter().map(|(at, message)| (map.ticks(*at), kind(*message)));
-    let mut events: Vec<_> = start.into_iter().chain(marks).chain(messages).collect();
+    let mut events: Vec<_> = iter::once(program).chain(marks).chain(messages).collect();
     events.sort_by_key(|(tick, _)| *tick);
     let mut track = Vec::with_capacity(events.len() + 1);
     let mut now = 0;
@@ -186,8 +185,8 @@ fn beside(path: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ScoreMark;
     use crate::note::{Note, Velocity};
+    use crate::output::score_timing::{ScoreMark, meta};
     use crate::player::{NoteEvent, NoteEventKind, Player};
     use crate::velocity::VelocityCurve;
 

@@ -129,10 +129,7 @@ pub enum ScoreError {
     NoNotes { passed_over: PassedOverCounts },
 }
 
-/// Reads a MIDI file like [`read_parts`], with all tracks and channels.
-///
-/// # Errors
-/// Those of [`read_parts`].
+/// Reads all tracks and channels of a MIDI file like [`read_parts`], with the same errors.
 pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
     read_parts(bytes, &ChosenParts::default())
 }
@@ -160,7 +157,8 @@ pub fn read_parts(bytes: &[u8], parts: &ChosenParts) -> Result<Score, ScoreError
         return Err(ScoreError::Patterns { tracks: chunks.tracks.len() });
     }
     let mut tempo = tempo::Map::new(chunks.division).ok_or(ScoreError::NoTiming)?;
-    let mut notes = NoteCollector::new(parts);
+    let mut notes = NoteCollector::default();
+    notes.parts.clone_from(parts);
     notes.passed_over.add(PassedOver::SkippedBytes, chunks.trailing);
     let mut tracks = vec![ScoreTrack::default(); chunks.tracks.len()];
     let mut marks = Vec::new();
@@ -179,8 +177,8 @@ pub fn read_parts(bytes: &[u8], parts: &ChosenParts) -> Result<Score, ScoreError
                 }
             }
             TrackEventKind::Meta { kind, data } => {
-                if let (meta::TEMPO, Some(us)) = (kind, score_timing::tempo(data)) {
-                    tempo.follow(event.tick, us);
+                if let (meta::TEMPO, Some(quarter)) = (kind, score_timing::quarter(data)) {
+                    tempo.follow(event.tick, quarter);
                 }
                 marks.extend(mark(&event, track));
             }

@@ -11,9 +11,9 @@ use super::{ChosenParts, ScoreNote};
 const PERCUSSION: u8 = 9;
 
 /// The notes so far.
-#[derive(Debug)]
-pub(super) struct NoteCollector<'a> {
-    parts: &'a ChosenParts,
+#[derive(Debug, Default)]
+pub(super) struct NoteCollector {
+    pub(super) parts: ChosenParts,
     /// All notes; an open note has an infinite end.
     received: Vec<ScoreNote>,
     /// Open notes by channel and key, the oldest first.
@@ -28,20 +28,7 @@ pub(super) struct NoteCollector<'a> {
     pub(super) now: f64,
 }
 
-impl<'a> NoteCollector<'a> {
-    pub(super) fn new(parts: &'a ChosenParts) -> Self {
-        Self {
-            parts,
-            received: Vec::new(),
-            open: BTreeMap::new(),
-            pedals: Vec::new(),
-            played: 0,
-            left_out: 0,
-            passed_over: PassedOverCounts::default(),
-            now: 0.0,
-        }
-    }
-
+impl NoteCollector {
     /// Adds a message of `track` at the latest time; returns `true` for a note.
     pub(super) fn add(&mut self, track: u16, status: u8, [first, second]: [u8; 2]) -> bool {
         let (kind, channel) = (status & 0xF0, status & 0x0F);

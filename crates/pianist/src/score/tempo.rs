@@ -37,10 +37,10 @@ impl Map {
         at + tick.saturating_sub(from) as f64 * self.tick
     }
 
-    /// Gives quarter notes a length of `us` µs from `tick` on.
-    pub(super) fn follow(&mut self, tick: u64, us: u32) {
+    /// Gives quarter notes a length of `quarter` (s) from `tick` on.
+    pub(super) fn follow(&mut self, tick: u64, quarter: f64) {
         let Some(per_quarter) = self.per_quarter else { return };
         self.since = (tick, self.seconds(tick));
-        self.tick = f64::from(us) * 1e-6 / f64::from(per_quarter);
+        self.tick = quarter / f64::from(per_quarter);
     }
 }
