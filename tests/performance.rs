@@ -3,12 +3,19 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use engine::voice::VoiceBuilder;
+use figures::rehearsal::{PlayedScore, perform};
+use haptics::Gesture;
+use host::control::RunHandle;
 use host::report::RunReport;
-use host::session::{RunOptions, RunSession};
+use host::session::{FoundKeys, RehearsalCache, RunOptions, RunSession};
+use midi::Velocity;
 use midly::num::{u4, u7, u15, u28};
 use midly::{Format, Header, MetaMessage, MidiMessage, Smf, Timing, TrackEvent, TrackEventKind};
+use pianist::{Pianist, Score, ScoreNote, Technique};
 use scene::Scene;
 
 use crate::stage::{scene, try_scene};
@@ -105,6 +112,121 @@ fn hard() -> Vec<HardNote> {
 /// Key, onset and end (ms), velocity.
 pub(crate) type HardNote = (u8, u32, u32, u8);
 
+/// Rehearses and plays notes of C4 on the default grand: onset, length (s), velocity, and release
+/// velocity.
+fn on_the_grand(notes: &[(f64, f64, u8, Option<u8>)]) -> PlayedScore {
+    let scene = scene("default", &[]);
+    let builder = VoiceBuilder::new(&scene).expect("a builder");
+    let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
+    let pianist = Pianist { technique, ..Pianist::default() };
+    let notes = notes.iter().map(|&(onset, length, velocity, release)| ScoreNote {
+        key: 39,
+        onset,
+        end: onset + length,
+        velocity,
+        release: release.and_then(Velocity::new),
+    });
+    let score = Score { notes: notes.collect(), ..Score::default() };
+    perform(&builder, &pianist, &score).expect("a performance")
+}
+
+#[test]
+fn legato_on_one_key_leaves_the_same_gap_after_notes_of_any_length() {
+    let played = on_the_grand(&[
+        (0.0, 4.0, 50, None),
+        (4.0, 2.0, 50, None),
+        (6.0, 1.0, 50, None),
+        (7.0, 0.5, 50, None),
+    ]);
+    let cuts: Vec<f64> = played.performance.cuts.iter().map(|cut| cut.by).collect();
+    let (least, most) = (cuts[0].min(cuts[1]).min(cuts[2]), cuts[0].max(cuts[1]).max(cuts[2]));
+    assert!(cuts.len() == 3 && most < 0.15 && most - least < 5e-3, "{cuts:?}");
+    let found = &played.assessment;
+    assert_eq!((found.missed, found.extra), (0, 0), "{found}");
+    assert!(found.onset_error_ms.max < 2.0 && found.velocity_error.max <= 1.0, "{found}");
+    assert!((found.end_error_ms.max - 1e3 * most).abs() < 1.0, "{found} {cuts:?}");
+}
+
+#[test]
+fn a_long_note_keeps_its_length_before_one_that_cannot_be_met() {
+    let played = on_the_grand(&[(0.0, 2.0, 64, None), (2.05, 0.5, 127, None)]);
+    assert!(played.assessment.end_error_ms.max < 100.0, "{}", played.assessment);
+    assert_eq!(played.performance.shortfalls.len(), 1, "{:?}", played.performance.shortfalls);
+}
+
+#[test]
+fn a_key_is_repeated_softly_nine_times_a_second() {
+    let velocities =
+        [27, 13, 47, 35, 30, 22, 30, 25, 18, 28, 16, 49, 47, 46, 45, 33, 46, 25, 36, 41];
+    let onsets = (0..).map(|n| 0.114 * f64::from(n));
+    let notes = onsets.zip(velocities).map(|(onset, velocity)| (onset, 0.09, velocity, None));
+    let found = on_the_grand(&notes.collect::<Vec<_>>()).assessment;
+    assert!(found.missed <= 1 && found.extra == 0, "{found}");
+    assert!(found.velocity_error.max <= 10.0 && found.onset_error_ms.max <= 30.0, "{found}");
+}
+
+#[test]
+fn notes_end_when_and_as_fast_as_they_should() {
+    // A slow release takes a third of a second, for which a short note has no time.
+    let releases = [20, 35, 50, 60].into_iter().cycle();
+    let notes = (0..16_u8).zip(releases).map(|(n, release)| {
+        let (is_long, velocity) = (n % 4 < 2, 20 + 5 * n);
+        let length = if is_long { 0.7 } else { 0.15 } + 0.02 * f64::from(n);
+        (1.8 * f64::from(n), length, velocity, is_long.then_some(release + 15 * (n / 8)))
+    });
+    let played = on_the_grand(&notes.collect::<Vec<_>>());
+    let found = &played.assessment;
+    assert!(found.missed == 0 && found.end_error_ms.p99 <= 5.0, "{found}");
+    let release = found.release_error.expect("release velocities");
+    assert!(release.p99 <= 6.0, "{release:?}");
+    assert!(played.performance.cuts.is_empty());
+}
+
+#[test]
+fn a_rehearsal_takes_a_few_times_the_work_of_the_run() {
+    // Every half second, mixed velocities and lengths, as all keys of a busy keyboard.
+    let notes = (0..40_u8).map(|n| {
+        let spread = f64::from(u32::from(n) * 37 % 40) / 40.0;
+        let onset = 0.5 * f64::from(n) + 0.1 * spread;
+        (onset, 0.15 + 0.2 * spread, 20 + (u32::from(n) * 29 % 80) as u8, None)
+    });
+    let played = on_the_grand(&notes.collect::<Vec<_>>());
+    let [rehearsed, run] = played.evaluations;
+    let ratio = rehearsed as f64 / run as f64;
+    assert_eq!(played.assessment.missed, 0, "{}", played.assessment);
+    assert!(ratio < 6.0, "{rehearsed} evaluations for {run}: {ratio}");
+}
+
+#[test]
+fn a_rehearsal_is_found_by_the_next_run_with_the_same_bits_and_made_again_if_damaged() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("rehearsals");
+    let _none = fs::remove_dir_all(&folder);
+    let run = |program: &str, n_lanes| {
+        let scene = scene("springs", &[("lanes", n_lanes)]);
+        let options = RunOptions { duration: Some(5.0), virtual_time: true };
+        let rehearsals = Some(RehearsalCache { folder: folder.clone(), program: program.into() });
+        let handle = RunHandle::default().keeping_rehearsals(rehearsals);
+        let found = FoundKeys::find(&scene, options).expect("keys");
+        let session = RunSession::prepare_behind(Arc::new(handle), found, options, &|_| {});
+        let session = session.expect("a session");
+        let is_kept = session.is_rehearsal_kept();
+        (is_kept, comparable(&session.run(&AtomicBool::new(false)).expect("a run")))
+    };
+    let (is_kept, first) = run("1", "1");
+    assert!(!is_kept);
+    assert_eq!(run("1", "2"), (true, first.clone()), "found, on 2 lanes");
+    assert_eq!(run("2", "1"), (false, first.clone()), "another program");
+    for file in fs::read_dir(&folder).expect("a folder") {
+        let path = file.expect("a file").path();
+        let mut bytes = fs::read(&path).expect("a rehearsal");
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 1;
+        fs::write(&path, bytes).expect("a damaged file");
+    }
+    assert_eq!(run("1", "1"), (false, first.clone()), "damaged");
+    assert_eq!(run("1", "1"), (true, first), "written again");
+}
+
 /// Returns the number of notes in a MIDI file, and of those without an end.
 fn sounded(bytes: &[u8]) -> (usize, usize) {
     let (mut ons, mut on) = (0, BTreeSet::new());
@@ -133,11 +255,14 @@ fn what_the_keys_cannot_do_is_left_out_and_named() {
     let left_out: Vec<_> = notes.shortfalls.iter().filter(|it| it.is_left_out).collect();
     assert_eq!((notes.played, notes.extra), (onsets.len(), 0), "{notes:?}");
     assert_eq!((notes.missed, notes.struck), (left_out.len(), 17 - left_out.len()), "{notes:?}");
-    assert!((4..13).contains(&left_out.len()), "{notes:?}");
-    assert!(notes.onset_error_ms.max < ONSET_MS, "{notes:?}");
+    // Some are late instead, by less than what is worse than a missing note.
+    assert!((2..13).contains(&left_out.len()), "{notes:?}");
+    assert!(notes.onset_error_ms.max < 33.0, "{notes:?}");
     assert!(left_out.iter().all(|it| it.key == "C4" && it.at_s < 3.0), "{left_out:?}");
     let said = report.to_string();
-    let first = format!("C4 at {:.3} s is left out, since its key can", left_out[0].at_s);
+    assert!(left_out[0].why.starts_with("left out, since its key"), "{left_out:?}");
+    let first = &notes.shortfalls[0];
+    let first = format!("C4 at {:.3} s is {}", first.at_s, first.why);
     assert!(said.contains(&first), "{said}");
 }
 

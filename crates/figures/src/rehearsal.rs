@@ -1,13 +1,18 @@
 //! A key with its action for rehearsals, in the loop of the running host.
 
+use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use boards::sim::key::SimulatedKey;
 use engine::realtime::clock;
 use haptics::{Gesture, HandCommand, RigParameters};
-use pianist::{DamperFall, PlayOutcome, Rehearsal, Strike};
+use midi::velocity::release_velocity;
+use pianist::{
+    Assessment, Damped, DamperFall, Performance, Pianist, PlayOutcome, Rehearsal, Score, Strike,
+    Struck, assess,
+};
 use scene::KeyVoice;
 use scheduler::motion::{KeyEvent, KeySample, Moment};
 use scheduler::safety::KeyGate;
@@ -79,6 +84,11 @@ impl RehearsalWork {
 }
 
 const PACE: u64 = 256;
+
+/// Time after the last finger in which dampers still fall (s), and time between two looks (s): a
+/// damper falls once in it.
+const SILENCE: f64 = 0.5;
+const LOOK: f64 = 10e-3;
 
 /// One key of the simulated keybed and its voice, in virtual time.
 ///
@@ -250,6 +260,53 @@ impl Rehearsal for RehearsedKey {
     fn period(&self) -> f64 {
         self.period
     }
+}
+
+/// A performance that was rehearsed and then played on the same keys.
+#[derive(Clone, Debug)]
+pub struct PlayedScore {
+    pub performance: Performance,
+    pub assessment: Assessment,
+    /// Evaluations of the models' derivatives: of the rehearsal, and of the playing.
+    pub evaluations: [u64; 2],
+}
+
+/// Rehearses `score` on the keys of `builder` and plays it, in virtual time.
+pub fn perform(
+    builder: &VoiceBuilder<'_>,
+    pianist: &Pianist,
+    score: &Score,
+) -> Result<PlayedScore, RehearsalError> {
+    let work = [(); 2].map(|()| Arc::new(RehearsalWork::new(MAX_REHEARSED_TICKS, Arc::default())));
+    let [rehearsed, played] = &work;
+    let mut keys = BTreeMap::new();
+    for (key, voice) in builder.keys() {
+        keys.insert(key, RehearsedKey::of_scene(builder, key, voice)?);
+    }
+    let keys = Mutex::new(keys);
+    let new_key = |number: u8, work: &Arc<RehearsalWork>| {
+        let mut key = keys.lock().unwrap_or_else(PoisonError::into_inner)[&number.into()].clone();
+        key.count_by(Arc::clone(work));
+        key
+    };
+    let performance = pianist.prepare(score, |key| new_key(key, rehearsed), |_| ());
+    let (mut struck, mut damped) = (Vec::new(), Vec::new());
+    for (key, gestures) in (0..).zip(&performance.gestures).filter(|it| !it.1.is_empty()) {
+        let mut playing = new_key(key, played);
+        while playing.now() < performance.end() + SILENCE {
+            let outcome = playing.play(gestures, playing.now() + LOOK);
+            let velocity = |strike: &Strike| pianist.curve.velocity(strike.speed).get();
+            let strike = |it: &Strike| Struck { key, at: it.at, velocity: velocity(it) };
+            struck.extend(outcome.strikes.iter().map(strike));
+            let release = |fall: DamperFall| release_velocity(fall.speed).get();
+            let fall = |it: DamperFall| Damped { key, at: it.at, release: release(it) };
+            damped.extend(outcome.damper_fall.map(fall));
+        }
+    }
+    let assessment = assess(&performance.expected, &struck, &damped);
+    rehearsed.verdict()?;
+    let evaluations = work.map(|work| work.evaluations());
+    Ok(PlayedScore { performance, assessment, evaluations })
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ pub mod accuracy;
 pub mod figure6;
 pub mod fit;
 pub mod impedance;
+pub mod performance;
 pub mod piano;
 pub mod stability;
 
@@ -58,6 +59,8 @@ studies! {
     Fit(fit::FitArgs),
     /// Where a virtual wall or an instrument is stable on a key: maps, beside theory.
     Stability(stability::StabilityArgs),
+    /// Music as people play it: which of it the virtual pianist meets on an instrument.
+    Performance(performance::PerformanceArgs),
     /// The mechanical impedance of a mode, of a voice as it is rendered, or of a recorded stroke.
     Impedance(impedance::ImpedanceArgs),
 }

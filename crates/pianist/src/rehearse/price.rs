@@ -10,7 +10,7 @@
 //! | no strike | 40: see [`MISSING`] |
 //! | a part of a note cut off | 30 for the whole note, by the square of the part beyond 20 ms |
 //! | 1 ms of a gap before the next stroke | 0.012, from 20 to 420 ms |
-//! | a note end early or late by 1 ms | 0.3 |
+//! | a note end early or late by 1 ms, when it is not cut | 1 |
 //! | release velocity off by 1 | 0.1 |
 //!
 //! A velocity that a key at rest does not give counts from the nearest one that it gives; from there
@@ -25,6 +25,9 @@ pub const MISSING: f64 = 40.0;
 
 /// Price up to which a stroke is as good as written: 2 ms, or less than a velocity.
 pub(super) const ACCEPTABLE: f64 = 2.0;
+
+/// Price with which a search among everything ends.
+pub(super) const FAIR: f64 = 4.0;
 
 pub(super) const SECOND_STRIKE: f64 = 30.0;
 
@@ -93,5 +96,5 @@ pub(super) fn cut(length: f64, lost: f64) -> f64 {
 
 /// Returns the price of a note end that is `off` (s), with a release velocity off by `units`.
 pub(super) fn end(off: f64, units: f64) -> f64 {
-    300.0 * off.abs() + 0.1 * units.abs()
+    1e3 * off.abs() + 0.1 * units.abs()
 }

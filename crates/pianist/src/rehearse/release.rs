@@ -93,7 +93,13 @@ impl<R: Rehearsal> Held<R> {
             let before = (release.max(self.earliest), lift);
             if UNITS < units.abs() {
                 let speed = wanted.release.map_or(fall.speed, release_speed);
-                lift = (lift * fall.speed / speed).clamp(LIFTS.0, LIFTS.1);
+                // Smaller corrections find what lies between two folds.
+                let share = 1.0 / f64::from(n_tries);
+                let other = lift * (fall.speed / speed).powf(share);
+                let other = other.clamp(LIFTS.0, LIFTS.1);
+                let later = lifts.fall(other) - lifts.fall(lift);
+                // The end of a note counts more than its release velocity.
+                lift = if self.earliest <= release - off - later { other } else { lift };
             }
             release -= off + lifts.fall(lift) - lifts.fall(before.1);
             if (release.max(self.earliest), lift) == before {

@@ -2,7 +2,7 @@
 
 use haptics::plant::{Gesture, Touch};
 
-use super::price::{ACCEPTABLE, FRAGILE, SECOND_STRIKE};
+use super::price::{ACCEPTABLE, FAIR, FRAGILE, SECOND_STRIKE};
 use super::take::Take;
 use super::{Practice, Rehearsal, Strike, table};
 use crate::stroke::PlannedStroke;
@@ -138,7 +138,8 @@ pub(super) fn find_usual<R: Rehearsal>(
     let first = StrokeSearch::new(practice, take, wanted, wanted.touch).find(take);
     practice.learn(take, &first);
     let is_still = take.is_still(first.gesture.start);
-    if first.is_acceptable() || !is_still && wanted.touch == Touch::Pressed {
+    let is_enough = first.is_acceptable() && practice.is_within_reach(wanted);
+    if is_enough || !is_still && wanted.touch == Touch::Pressed {
         return first;
     }
     let second = StrokeSearch::new(practice, take, wanted, other(wanted.touch)).find(take);
@@ -262,7 +263,7 @@ impl<'a> StrokeSearch<'a> {
                     best = Some(tried);
                 }
             }
-            if best.as_ref().is_some_and(Try::is_acceptable) {
+            if best.as_ref().is_some_and(|best| best.price <= FAIR) {
                 break;
             }
         }

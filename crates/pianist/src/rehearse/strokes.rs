@@ -34,9 +34,8 @@ const WORTHWHILE: f64 = 1.0;
 /// Cut for which a shorter one is searched (s).
 const LONG_CUT: f64 = 0.12;
 
-/// Price above which everything is tried, and price with which that search ends.
+/// Price above which everything is tried.
 const DEAR: f64 = 7.0;
-const FAIR: f64 = 4.0;
 
 /// Velocities that share what was learnt about cuts.
 const ALIKE: u8 = 8;
@@ -255,7 +254,7 @@ impl<'a, R: Rehearsal> RoomSearch<'a, R> {
         releases: impl Iterator<Item = u32>,
         effort: Effort,
     ) -> bool {
-        let enough = if effort == Effort::Everything { FAIR } else { ACCEPTABLE };
+        let enough = if effort == Effort::Everything { price::FAIR } else { ACCEPTABLE };
         for steps in releases {
             if self.found.price <= enough {
                 return true;
