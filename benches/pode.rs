@@ -25,7 +25,6 @@ use pode::{Bracket, Event, Limits, Model, Motion, Resets, Simulator, Stepper, Wa
 use scene::Library;
 use setting::TICKS;
 
-/// Tick (s).
 const H: f64 = 1e-3;
 
 /// 2⁻²⁰ of a tick: events are located to 1 ns.
@@ -130,7 +129,6 @@ impl<M: Model> Watch<M> for Fired {
     }
 }
 
-/// Returns state and input before the first tick of a stroke whose only event is `guard`.
 fn just_before(guard: &str) -> (Simulator<SmallModel, Rk4>, Cubic) {
     let mut simulator = at_rest(model(), Rk4);
     for tick in 0..1000 {
@@ -156,7 +154,6 @@ fn pressed(t: f64) -> Cubic {
     Cubic::ballistic(half * s, half * v, half * a, H)
 }
 
-/// A guard as a function of the distance from its root.
 type Guard = fn(f64) -> f64;
 
 /// Guards that fall through zero at a given place; some are hard on root finders.

@@ -239,7 +239,6 @@ fn scheduler_at(tick: u64) -> Box<Scheduler> {
     scheduler
 }
 
-/// Returns the middle key, the tick of its hammer's strike, and the key's position then (m).
 fn just_before_a_strike(of: &str) -> (Slot<Copied>, u64, f64) {
     let scene = scene(of, &[]);
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");

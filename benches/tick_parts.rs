@@ -32,7 +32,6 @@ use scheduler::motion::{KEYS, KeySample};
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
 
-/// Tick (s).
 const H: f64 = 1e-3;
 
 fn main() {

@@ -1,7 +1,4 @@
 //! The host refuses or plays a file with any bytes, and never panics.
-//!
-//! The crates test their own readers; here files pass through the whole host, from the disk to a
-//! session that is ready to run.
 
 use std::fs;
 use std::path::PathBuf;

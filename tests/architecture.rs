@@ -8,7 +8,6 @@ use toml_edit::{Document, Item};
 
 use crate::sources::rust_files;
 
-/// Our crates, each below those that follow it.
 const FLOORS: &str = "keyboard documents pode haptics firmware-protocol scheduler midi telemetry \
     instruments mechanism boards pianist scene engine figures host cli lab dashboard xtask letoff";
 
@@ -30,7 +29,6 @@ const KNOWS_ONLY: [(&str, &str, &str); 10] = [
     ("dashboard", "telemetry", "it sees what any client sees"),
 ];
 
-/// Returns `true` if a list of words, with spaces between, has `word`.
 fn lists(words: &str, word: &str) -> bool {
     words.split(' ').any(|it| it == word)
 }

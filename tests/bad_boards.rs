@@ -47,11 +47,8 @@ thread_local! {
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Wrong {
     Nothing,
-    /// Its samples report that it renders no force.
     Flag,
-    /// Its samples have one key less.
     KeyLess,
-    /// Its hello reports a failed key.
     KeyFault,
     /// Offset of the played key's reading (um).
     Elsewhere(i32),
@@ -64,7 +61,6 @@ fn now_us() -> u64 {
     NOW.get()
 }
 
-/// Host end of a wire to a board with its own clock.
 struct Wire {
     board: SimulatedBoard,
     loopback: Loopback,
@@ -167,10 +163,8 @@ impl Link for Wire {
     }
 }
 
-/// Longest bring-up of a board (us).
 const PATIENCE: u64 = 4_000_000;
 
-/// Brings up board 3 with a clock that is too fast by `drift`.
 fn armed(drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
     armed_within(PATIENCE, drift, n_strokes)
 }
@@ -199,7 +193,6 @@ fn armed_within(patience: u64, drift: f64, n_strokes: u32) -> Result<Keybed<Arme
 struct Heard {
     strikes: u32,
     faults: u32,
-    /// Largest force sent (N).
     force: f64,
 }
 
@@ -226,7 +219,6 @@ fn run(stage: &mut Stage<Keybed<Armed>, Heard>, ticks: u64) {
     }
 }
 
-/// Calls `check` at every drift in percent, each on a thread and a clock of its own.
 fn at_every_drift(check: impl Fn(f64) + Sync) {
     let drifts = [-5.0, -3.3, -3.0, -2.0, -1.0, -0.02, 0.0, 0.02, 1.0, 1.5, 2.0, 3.0, 3.3, 5.0];
     std::thread::scope(|scope| {
@@ -295,7 +287,6 @@ fn a_board_whose_clock_leaves_the_tolerance_in_a_run_is_disarmed_and_renders_not
     assert_eq!(SENT.get(), [0; KEYS_PER_BOARD]);
 }
 
-/// Returns the refusal of a faulty board 3, and the time until it (s).
 fn refused(wrong: Wrong) -> (String, f64) {
     WRONG.set(wrong);
     let start = NOW.get();

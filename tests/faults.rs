@@ -15,7 +15,6 @@ use crate::stage::{Nobody, Stage, key, keybed, play_all, scene, stroke};
 
 /// The key with the failing sensor: held down, so that it should always feel a force.
 const FAILING: usize = 40;
-/// Ticks of a run, a millisecond each.
 const TICKS: u64 = 5500;
 /// Ticks of the fault; by then the hammer of the held key has come to rest.
 const WRONG: Range<u64> = 4000..4060;
@@ -56,7 +55,6 @@ fn index(tick: u64) -> usize {
     usize::try_from(tick).unwrap_or(usize::MAX)
 }
 
-/// Asserts that keys not in `disturbed` feel the same to the last bit, and those do not.
 #[track_caller]
 fn check_neighbours(healthy: &Felt, felt: &Felt, disturbed: &Range<usize>) {
     let mut differed = false;
@@ -83,8 +81,7 @@ fn check_fade(felt: &Felt, last_good: u64, back: u64) {
     }
     let after = at(TICKS - 1);
     assert!((after - held).abs() < 0.05 * held, "{held} N before, {after} N after");
-    // A blend from or to the force takes the fade; a step would be all of it in one tick. Meanwhile
-    // the key moves under the finger, and the hammer swings: twice as much again.
+    // A step would be the whole force in one tick. Key and hammer move: twice as much.
     let step = 3.0 * held / FADE as f64;
     for tick in last_good..TICKS - 1 {
         let change = (at(tick + 1) - at(tick)).abs();
@@ -196,7 +193,6 @@ impl TickObserver for Ends {
     }
 }
 
-/// Returns the ticks in which the note of the failing key, held on `bus`, ends.
 fn ends<B: KeyBus>(bus: B) -> Vec<u64> {
     let mut stage = Stage::new(&scene("springs", &[]), bus).watched_by(Ends::default());
     for _ in 0..TICKS {

@@ -71,8 +71,7 @@ fn another_pace_has_its_servo_and_what_is_wrong_is_told_in_a_sentence() {
     check_words(&said, &["cannot write file/in", "choose another --out"]);
 }
 
-/// Moves middle C of `scene` to each depth (fraction of its dip) for a time (0.1 s); returns the
-/// number of events and strikes after each.
+/// Holds middle C at each depth (fraction of its dip, 0.1 s); counts events and strikes after each.
 fn thrown<const N: usize>(scene: &str, depths: [(f64, u32); N]) -> [(u32, usize); N] {
     let scene = stage::scene(scene, &[]);
     let mut stage = Stage::new(&scene, keybed(&scene)).watched_by(Hammer::default());

@@ -6,7 +6,6 @@ use std::path::Path;
 use crate::letoff::{check_words, folder, run};
 
 /// Allowed root mean square deviation of `grand` from the published curve (N).
-///
 /// The published one is flat between its corners; an action's curve has the slopes of its levers,
 /// and from 6.3 mm on the spring of the repetition lever.
 const PUBLISHED: f64 = 0.15;
@@ -15,7 +14,6 @@ fn published() -> String {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fit/published.csv").display().to_string()
 }
 
-/// Simulates a slow press of a grand with different friction, leads and let-off.
 fn press(folder: &Path) -> String {
     let truth = ["t_pin=0.015", "leads=0.045", "button=0.0613"];
     let mut arguments = vec!["simulate", "grand", "--key", "39", "--until", "0.8"];

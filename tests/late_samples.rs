@@ -15,7 +15,6 @@ use crate::stage::{Stage, audited, key, keybed, scene, stroke};
 use engine::voice::AuditCell;
 
 const STROKES: u32 = 8;
-/// End of the strokes (s).
 const END: f64 = 4.5;
 /// Unexplained energy of a voice permitted in a tick: 25 N over 20 mm (J).
 const MOST_UNEXPLAINED: f64 = 0.5;
@@ -23,7 +22,6 @@ const MOST_UNEXPLAINED: f64 = 0.5;
 #[derive(Default)]
 struct Heard {
     strikes: u32,
-    /// Speed of the fastest hammer (m/s).
     fastest: f64,
     /// Ticks with unexplained energy of the voice, by key.
     diverged: Vec<u32>,
@@ -64,7 +62,6 @@ fn hands(scene: &Scene) -> SimulatedKeybed {
     keybed
 }
 
-/// Plays at `hz` with frames that are late by one tick and by two with this probability each.
 fn heard(hz: u32, probability: f64) -> Heard {
     let mut scene = scene("springs", &[]);
     scene.tick_hz = hz;

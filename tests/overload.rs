@@ -13,7 +13,6 @@ use scheduler::voice::{VoiceFault, VoiceWork};
 
 use crate::stage::{Stage, keybed, play_all, scene, voices};
 
-/// Length of a run (s).
 const END: f64 = 1.2;
 const TICKS: u64 = 1200;
 
@@ -77,14 +76,12 @@ fn played(scene: &Scene, simplified: impl Fn(u64) -> Simplifications) -> Played 
     run(Stage::new(scene, keybed), simplified)
 }
 
-/// Returns the root mean square difference of forces (N).
 fn difference(one: &Played, other: &Played) -> f64 {
     let pairs = one.forces.iter().flatten().zip(other.forces.iter().flatten());
     let (sum, n) = pairs.fold((0.0, 0.0), |(sum, n), (a, b)| (sum + (a - b) * (a - b), n + 1.0));
     f64::sqrt(sum / n)
 }
 
-/// Returns the largest time difference of the same strikes (s).
 fn shift(one: &Played, other: &Played) -> f64 {
     let keys = |it: &Played| it.strikes.iter().map(|(key, _)| *key).collect::<Vec<_>>();
     assert_eq!(keys(one), keys(other), "the same keys sound equally often");
@@ -96,8 +93,7 @@ fn all(simplified: &[Simplification]) -> Simplifications {
     simplified.iter().fold(Simplifications::NONE, |all, one| all.with(*one))
 }
 
-/// The default instrument on all keys, each played about twice a second: simplification saves
-/// evaluations, and moves strikes by less than a millisecond.
+/// Default instrument, each key played about twice a second; strikes move by less than 1 ms.
 #[test]
 fn what_is_left_out_saves_work_and_every_note_sounds_in_time() {
     let scene = scene("default", &[]);
@@ -150,8 +146,7 @@ fn no_force_steps_where_something_is_left_out_or_taken_back() {
     }
 }
 
-/// Valid values with which turns of the default instrument fail: all of them, most of them while
-/// the key moves, and one in eight.
+/// Valid values with which turns fail: all, most while the key moves, and one in eight.
 const HOSTILE: [&str; 3] = [
     "g=100 front=0.5 drop=0.015 shank=0.16 ms=0.0005 leads=0 t_lever=0 k_knuckle=1e7 \
      k_lever_pad=0 wind_k=1e-6 b_jack=1",
@@ -190,7 +185,6 @@ impl TickObserver for &mut TurnLog {
     }
 }
 
-/// Plays every key of the default instrument at `unit` (ns) on one lane; one has `values`.
 fn turns(scene: &Scene, unit: f64, values: &str) -> TurnLog {
     let mut keybed = keybed(scene);
     play_all(&mut keybed, END);

@@ -10,10 +10,8 @@ use scene::{PassivityMode, Scene, instruments};
 use scheduler::motion::KeySample;
 use scheduler::voice::VoiceOutput;
 
-/// Tick (s).
 const H: f64 = 1e-3;
 
-/// Travel of the key (m).
 const DIP: f64 = 10e-3;
 
 /// Energy that a key may hand out beyond its intake (J).
@@ -26,7 +24,6 @@ const ROUNDING: f64 = 1e-12;
 /// [`haptics::PassivityController`].
 const ACCELERATION: f64 = 290.0;
 
-/// Design acceleration of that controller (m/s²).
 const MOST_ACCELERATION: f64 = 300.0;
 
 /// A path of a key from rest and back: strokes of least jerk, and a tremor.
@@ -71,7 +68,6 @@ impl ClosedWay {
         })
     }
 
-    /// Returns the position (m) at `time` (s).
     fn at(&self, time: f64) -> f64 {
         let newest = self.strokes.iter().rev().find(|it| it.0 <= time);
         let Some((start, lasts, from, to)) = newest.filter(|_| time < self.length) else {
@@ -85,7 +81,6 @@ impl ClosedWay {
     }
 }
 
-/// Plays `way` from rest; returns the energy from the motor to the finger (J).
 fn handed_out(voice: &mut AnyVoice, way: &ClosedWay, tick: &mut u64) -> f64 {
     voice.reset(&KeySample::fresh(0.0));
     // A gap, so that the rest of the last path is forgotten.
@@ -105,7 +100,6 @@ fn handed_out(voice: &mut AnyVoice, way: &ClosedWay, tick: &mut u64) -> f64 {
     energy
 }
 
-/// Returns the forces (N) of `way` from rest.
 fn forces(voice: &mut AnyVoice, way: &ClosedWay) -> Vec<f64> {
     voice.reset(&KeySample::fresh(0.0));
     let force = |tick: u64| {
@@ -190,7 +184,6 @@ fn the_controller_leaves_the_forces_of_ordinary_strokes_nearly_as_they_are() {
     }
 }
 
-/// Tries `WAYS` paths, a million by default.
 #[test]
 #[ignore = "takes an hour; WAYS=100000 cargo test -p letoff --test whole -- --ignored closed_ways"]
 fn no_closed_ways_hand_out_energy_however_many() {

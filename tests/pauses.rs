@@ -12,7 +12,6 @@ use crate::stage::{Stage, key, keybed, scene, stroke};
 
 const KEY: usize = 39;
 
-/// Start of the stroke (s), with the hammer at rest.
 const START: f64 = 0.5;
 
 /// Strikes of all keys: key, time (s), and speed of the hammer (m/s).
@@ -33,7 +32,6 @@ impl TickObserver for &mut Strikes {
     }
 }
 
-/// Plays a stroke of a held key while the machine pauses for `lost` ticks from tick `from` on.
 fn strikes(name: &str, speed: f64, from: u64, lost: u64) -> Vec<(usize, f64, f64)> {
     let scene = scene(name, &[]);
     let mut bus = keybed(&scene);
@@ -71,7 +69,6 @@ fn a_note_that_is_played_while_the_machine_pauses_sounds_late_and_about_as_loud(
     assert!(extra <= pauses / 8, "{extra} more strikes than strokes in {pauses} pauses");
 }
 
-/// Returns gestures of two soft notes of `velocity` on D3, the second where the first ends.
 fn repeated(scene: &scene::Scene, key: usize, velocity: u8) -> Vec<Gesture> {
     let builder = VoiceBuilder::new(scene).expect("a good scene");
     let (_, voice) = builder.keys().next().expect("a key");

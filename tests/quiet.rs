@@ -22,7 +22,6 @@ const EVERY: usize = 8;
 struct Listener {
     from: u64,
     strikes: usize,
-    /// Largest force sent (N).
     loudest: f64,
     muted: Vec<usize>,
     faults: usize,
@@ -131,7 +130,6 @@ fn after_it_was_played_every_instrument_that_is_let_in_comes_to_rest() {
 
 #[test]
 fn a_loop_that_makes_energy_with_nobody_on_its_keys_is_muted() {
-    // As a recording, without a finger, it is accepted.
     let text = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-rigid\"\n";
     let scene = Scene::from_text(&scene::Library::default(), "rigid", text.to_owned())
         .expect("a good scene");

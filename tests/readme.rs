@@ -25,7 +25,6 @@ impl Document {
         quoted.map(str::to_owned).collect()
     }
 
-    /// Returns the lines that are neither code nor part of a table or figure.
     fn prose(&self) -> Vec<&str> {
         let mut is_code = false;
         let mut prose = Vec::new();
@@ -88,7 +87,6 @@ fn words(command: &str) -> Vec<String> {
     words.into_iter().filter(|word| !word.is_empty()).skip(1).collect()
 }
 
-/// Returns the commands on lines of their own, ready to be copied.
 fn commands() -> Vec<Vec<String>> {
     let lines: Vec<_> = documents().iter().flat_map(Document::lines).collect();
     let all: Vec<_> =
@@ -97,7 +95,6 @@ fn commands() -> Vec<Vec<String>> {
     all
 }
 
-/// Returns the commands within sentences and tables, with their optional parts.
 fn mentioned() -> Vec<Vec<String>> {
     let quoted: Vec<_> = documents().iter().flat_map(Document::quoted).collect();
     let mentioned = quoted.iter().filter(|it| it.starts_with("letoff "));

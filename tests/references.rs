@@ -50,12 +50,10 @@ fn entries(text: &str) -> BTreeSet<String> {
     text.lines().filter_map(entry).map(String::from).collect()
 }
 
-/// Returns the key of an entry's line, `- **[KEY]** …`.
 fn entry(line: &str) -> Option<&str> {
     line.strip_prefix("- **[")?.split_once("]** ").map(|(key, _)| key).filter(|key| is_key(key))
 }
 
-/// Returns the keys cited under the folders of sources, each with one file that cites it.
 fn cited() -> BTreeMap<String, PathBuf> {
     let mut found = BTreeMap::new();
     for folder in ["crates", "firmware-protocol", "benches", "configs"] {
@@ -86,7 +84,6 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// Returns the part of a line written for people.
 fn prose<'a>(line: &'a str, file: &Path) -> Option<&'a str> {
     match comment(file)? {
         "" => Some(line),

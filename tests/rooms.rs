@@ -80,7 +80,6 @@ const DEEPEST_USE: usize = 8;
 
 struct Names<'a> {
     modules: BTreeSet<&'a [String]>,
-    /// Path of each imported name, by module.
     used: BTreeMap<(&'a [String], String), Vec<String>>,
 }
 
@@ -95,7 +94,6 @@ impl<'a> Names<'a> {
         Self { modules: all.iter().map(|it| it.module.as_slice()).collect(), used }
     }
 
-    /// Returns the module that defines the item at a path in `module`; `None` outside the crate.
     fn resolve(&self, module: &[String], path: &[String], deepest: usize) -> Option<Vec<String>> {
         let up = path.iter().take_while(|it| *it == "super").count();
         let (mut known, rest) = match path.first()?.as_str() {
@@ -117,7 +115,6 @@ impl<'a> Names<'a> {
         Some(known)
     }
 
-    /// Returns the module from which `module` imports `name`, if it does.
     fn behind_use(&self, module: &[String], name: &str, deepest: usize) -> Option<Vec<String>> {
         let path = self.used.get(&(module, name.to_owned()))?;
         self.resolve(module, path, deepest.checked_sub(1)?)
@@ -130,7 +127,6 @@ fn paths_of(source: &Source) -> Paths {
     paths
 }
 
-/// Collects all paths of a file, with the trees of `use` expanded.
 struct Paths {
     found: Vec<Vec<String>>,
     used: Vec<(String, Vec<String>)>,

@@ -63,7 +63,6 @@ pub(crate) fn examples(folder: &Path) -> Vec<Source> {
     files.into_iter().filter_map(|path| read("examples", &root, path)).collect()
 }
 
-/// Returns the module of a file below `src`.
 fn module(path: &Path) -> Vec<String> {
     let mut parts: Vec<String> =
         path.with_extension("").iter().map(|it| it.to_string_lossy().into_owned()).collect();

@@ -19,7 +19,6 @@ use crate::stage::{self, Stage, keybed, play_all, scene, try_scene, voices};
 struct Outcome {
     what: String,
     refused: Option<String>,
-    /// Reason for which it should have been refused, if any.
     failed: Option<Failure>,
 }
 
@@ -50,7 +49,6 @@ impl Outcome {
     }
 }
 
-/// Returns a piece of soft and loud notes over the compass, alone and together.
 fn piece() -> String {
     let notes: [HardNote; 10] = [
         (36, 200, 500, 64),
@@ -87,8 +85,7 @@ fn played(scene: &Scene) -> (usize, u64) {
     (report.notes.as_ref().expect("notes").extra, report.totals.faults)
 }
 
-/// Counts extra notes that are the instrument's own, a second strike of a pendulum on a cart: those
-/// of a nearly ideal loop.
+/// Counts extra notes of a nearly ideal loop, as a second strike of a pendulum on a cart.
 fn own_extra(scene: &Scene) -> usize {
     let mut ideal = scene.clone();
     ideal.tick_hz = 10_000;
@@ -106,7 +103,6 @@ fn fails(scene: &Scene) -> Option<Failure> {
     (0 < extra && own_extra(scene) < extra).then_some(Failure::Extra(extra))
 }
 
-/// Like [`fails`], under a finger of either corner, as in trials.
 fn fails_under_other_fingers(scene: &Scene) -> Option<Failure> {
     [FingerName::Stiff, FingerName::Limp].into_iter().find_map(|finger| {
         let mut other = scene.clone();
@@ -133,7 +129,6 @@ fn rings(scene: &Scene) -> Option<f64> {
     };
     run(4);
     let (first, second) = (run(1), run(1));
-    // Eleven voices, each by as much as a trial permits.
     (0.15 < second && 0.8 * first < second).then_some(second)
 }
 
@@ -150,8 +145,7 @@ fn tried(name: &str, hz: u32, delay: u32, piece: &str) -> Outcome {
     Outcome { what: format!("{name} at {hz} Hz, {delay} ticks late"), refused, failed }
 }
 
-/// Asserts the promised share of predictions in `outcomes`, and that no stable one generates
-/// energy. A hammer without a check may strike twice in the most stable loop.
+/// Asserts the promised share of predictions; without a check a hammer may strike twice.
 #[track_caller]
 fn check(outcomes: &[Outcome]) {
     let is_wrong = |it: &&Outcome| !it.is_predicted();
@@ -233,7 +227,6 @@ fn untouched_every_instrument_with_a_damper_sleeps_within_two_seconds() {
 struct Restless {
     derivatives: u32,
     events: u32,
-    /// Turns in which one was not idle.
     awake: usize,
 }
 
@@ -247,7 +240,6 @@ impl TickObserver for Restless {
     }
 }
 
-/// Returns the report on the first unstable key of `scene`.
 fn unstable(scene: &Scene) -> Option<String> {
     let found = examine(scene).expect("trials");
     found.iter().find_map(|it| it.unstable.as_ref()).map(ToString::to_string)

@@ -26,7 +26,6 @@ const KEYS: [u8; 2] = [39, 40];
 const BASE: f64 = 1200.0;
 const SPRINGS: [f64; 2] = [400.0, 800.0];
 
-/// Stiffness set on the second key while it plays (N/m).
 const OTHER_BASE: f64 = 2400.0;
 
 /// Returns a mass between two springs, one to the key (`k`) and one to the ground (`base`).
@@ -77,7 +76,6 @@ fn stiffer() -> String {
     format!("base = \"base.toml\"\n[parameters]\nk = {{ value = \"{} N/m\" }}\n", SPRINGS[1])
 }
 
-/// Returns the stiffness at the key of a mass at rest: both springs in series.
 fn felt(spring: f64, base: f64) -> f64 {
     spring * base / (spring + base)
 }
@@ -119,7 +117,6 @@ impl<'a> Running<'a> {
         self.ask_and_stay(request).0
     }
 
-    /// Sends a request over the control socket; returns the answer, and the connection.
     fn ask_and_stay(&self, request: &str) -> (String, UnixStream) {
         let stream = UnixStream::connect(self.folder.join("socket")).expect("the host listens");
         (&stream).write_all(format!("{request}\n").as_bytes()).expect("it hears");
@@ -128,7 +125,6 @@ impl<'a> Running<'a> {
         (answer, stream)
     }
 
-    /// Presses a key; closing the returned connection releases it.
     fn press(&self, key: u8) -> UnixStream {
         let press = format!(r#"{{"service":"press","key":{key},"newtons":2.0}}"#);
         let (said, stream) = self.ask_and_stay(&press);
@@ -144,10 +140,8 @@ impl<'a> Running<'a> {
     }
 }
 
-/// Returns the largest change of the sent force from one tick to the next (N).
-///
-/// A busy machine may skip ticks, while the key moves under a constant force; the force then
-/// settles for some ticks.
+/// Returns the largest change of the sent force from one tick to the next (N). A busy machine may
+/// skip ticks, while the key moves under a constant force; the force then settles for some ticks.
 fn largest_change(rows: &[[f64; 4]]) -> f64 {
     let settled = |rows: &&[[f64; 4]]| rows.windows(2).all(|pair| pair[1][0] - pair[0][0] < 1.5);
     let in_turn = rows.windows(SETTLED).filter(settled).filter_map(|rows| rows.last_chunk::<2>());
@@ -196,7 +190,6 @@ fn check_near(found: &[f64], wanted: &[f64]) {
     );
 }
 
-/// Replaces a file as editors do, by renaming another one.
 fn save(file: &Path, text: &str) {
     let beside = file.with_extension("new");
     fs::write(&beside, text).expect("a file");

@@ -1,5 +1,4 @@
 //! Every public type of a library has a way in: an item that another crate names leads to it.
-//!
 //! A type is reached if product code of another crate names it, or an example of `pode`, or a
 //! reached item of its own crate. The compiler cannot check it: it counts a public item as used.
 
@@ -48,7 +47,6 @@ fn every_public_type_of_a_library_has_a_way_in() {
     assert!(found.is_empty(), "no way leads to\n{}", found.join("\n"));
 }
 
-/// Returns the public types of a crate that are not reached from the names in `named`.
 fn unreached<'a>(
     items: &'a [NamedItem],
     named: BTreeSet<&'a str>,
@@ -104,7 +102,6 @@ const fn is_public(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-/// Returns the last name of a type's path, or of its referent.
 #[expect(clippy::wildcard_enum_match_arm, reason = "an enum of syn that may grow")]
 fn type_name(of: &Type) -> String {
     match of {

@@ -16,7 +16,6 @@ use scheduler::voice::VoiceWork;
 use crate::stage::{Stage, key, keybed, play_all, scene, stroke};
 
 /// Time after which an unplayed keyboard must be asleep (ms).
-///
 /// At power-up the force rises over 20 ms and sets the hammers swinging, like a stroke; the motion
 /// of a playable key falls below a voice's threshold of rest within 6 s, and within 10 s after a
 /// released key has thrown it against its rest.
@@ -104,12 +103,10 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
     assert_eq!(found, MOST);
 }
 
-/// The first 5 s of the scene `springs`: (derivatives, guards, events).
-///
-/// They change with a model, a preset, the pianist or the numerics. If intended, enter the values
-/// that the failing test prints, and explain in the commit why they grew. They are the same on
-/// every machine whose libm gives the same sines; another libm may move an event by a rounding, and
-/// a count with it.
+/// The first 5 s of the scene `springs`: (derivatives, guards, events). They change with a model, a
+/// preset, the pianist or the numerics. If intended, enter the values that the failing test prints,
+/// and explain in the commit why they grew. They are the same on every machine whose libm gives the
+/// same sines; another libm may move an event by a rounding, and a count with it.
 const GOLDEN: (u64, u64, u64) = (324_708, 7_528, 178);
 
 #[test]
@@ -121,7 +118,6 @@ fn the_first_seconds_of_the_scene_springs_take_the_committed_work() {
     assert_eq!((work.derivatives, work.guards, events), GOLDEN);
 }
 
-/// Returns the maxima of one key in one tick in 2 s of playing, each count by itself.
 fn most_of_a_key(name: &str, overrides: &[(&str, &str)]) -> VoiceWork {
     let scene = scene(name, overrides);
     let mut bus = keybed(&scene);
@@ -213,7 +209,6 @@ fn an_energy_audit_counts_what_it_evaluates() {
     assert!((least..=most).contains(&audit.evaluations), "{} of {work:?}", audit.evaluations);
 }
 
-/// Returns the work of 100 ticks without events, from `mode` and `state`, by `method`.
 fn quiet<M: Playable>(model: M, method: impl Stepper, (mode, state): (M::Mode, M::State)) -> Work {
     let mut simulator =
         Simulator::new(model, method, Limits::default(), mode, state).without_readout();

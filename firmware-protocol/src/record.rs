@@ -12,8 +12,7 @@ pub trait Record: Sized + Copy {
     /// Writes the record to the start of `bytes`; `None` without room.
     fn put(&self, bytes: &mut [u8]) -> Option<usize>;
 
-    /// Decodes the record from the start of `bytes`; `None` if they are too few. Ignores the rest:
-    /// a newer minor version may have more fields.
+    /// Decodes the record at the start of `bytes`, if long enough; a newer version may have more.
     fn take(bytes: &[u8]) -> Option<Self>;
 }
 

@@ -11,7 +11,6 @@ impl SequenceNumber {
     }
 
     /// Compares a frame with this number with the newest one before it, `newest`.
-    ///
     /// The number wraps around, so half of the circle counts as newer: a receiver without frames
     /// for 127 numbers must forget `newest`.
     pub const fn after(self, newest: Self) -> FrameOrder {
@@ -31,8 +30,6 @@ pub enum FrameOrder {
         /// Number of frames between the two that are lost or late.
         missing: u8,
     },
-    /// The frame arrived before.
     Repeated,
-    /// A newer frame overtook this one.
     Older,
 }

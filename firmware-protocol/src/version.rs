@@ -13,9 +13,7 @@ pub const PROTOCOL_VERSION: ProtocolVersion = ProtocolVersion { major: 2, minor:
 /// A version of the protocol.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProtocolVersion {
-    /// Counts changes that would make old frames misread.
     pub major: u8,
-    /// Counts additions that a peer may ignore.
     pub minor: u8,
 }
 

@@ -1,5 +1,4 @@
-//! Whatever arrives, nothing panics, nothing false is taken for true, and what was sent
-//! comes back.
+//! Whatever arrives, nothing panics, nothing false is taken for true, and what was sent comes back.
 
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::acyclic::finger::Finger;
@@ -40,7 +39,6 @@ fn any_header() -> impl Strategy<Value = Header> {
     )
 }
 
-/// Generates bytes that are almost a frame: a kind, then mostly zeros or anything.
 fn near_frames() -> impl Strategy<Value = Vec<u8>> {
     let anything = vec(any::<u8>(), 0..80);
     let sparse = vec(prop_oneof![4 => Just(0), 1 => any::<u8>()], 0..80);

@@ -105,7 +105,6 @@ fn the_parts_of_the_firmware_without_hardware_do_what_they_say() {
     assert!(output.status.success(), "{said}");
 }
 
-/// Builds a C test with all checks of the compiler; `None` without a compiler.
 fn build(name: &str, parts: &[&str]) -> Option<PathBuf> {
     if !are_there(&["gcc"]) {
         return None;
@@ -120,7 +119,6 @@ fn build(name: &str, parts: &[&str]) -> Option<PathBuf> {
     Some(program)
 }
 
-/// Asserts that the C program answers each first line with the second.
 #[track_caller]
 fn compare(lines: &Vec<(String, String)>) {
     static PROGRAM: OnceLock<Option<PathBuf>> = OnceLock::new();

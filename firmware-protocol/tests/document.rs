@@ -29,7 +29,6 @@ fn table(title: &str) -> Rows {
     rows.skip(2).map(cells).collect()
 }
 
-/// Returns the numbers of the C header whose names begin with `prefix`.
 fn defined(prefix: &str) -> BTreeMap<String, String> {
     let start = format!("#define LETOFF_{prefix}");
     let header = header();
@@ -40,7 +39,6 @@ fn defined(prefix: &str) -> BTreeMap<String, String> {
     numbers.collect()
 }
 
-/// Asserts that a table, with number and name as its first columns, agrees with the header.
 #[track_caller]
 fn check(title: &str, prefix: &str, beside: &[&str]) {
     let said: BTreeMap<_, _> =

@@ -47,7 +47,6 @@ fn down(_: &KeySamples) -> [i32; KEYS] {
     [-2_000; KEYS]
 }
 
-/// Returns a rig with a fault, after a cycle of the script `mixed`.
 fn played(fault: &str, law: Law) -> Option<Rig> {
     let mut rig = Rig::start(&["--fault", fault])?;
     rig.play(law, CYCLE);
@@ -75,7 +74,6 @@ fn missing(rig: &Rig) -> usize {
     samples.windows(2).map(gap).sum()
 }
 
-/// Asserts that `part` is `share` of `whole`, within 0.03.
 #[track_caller]
 fn check_share(part: f64, whole: f64, share: f64) {
     assert!((part / whole - share).abs() < 0.03, "{part} of {whole}");
@@ -198,7 +196,6 @@ fn behind_a_terminal_hosts_come_and_go_until_the_rig_is_stopped() {
     assert_eq!(Report::read(&report).text("since_first_arm_s"), "null");
 }
 
-/// A rig in real time, killed with its test.
 struct Running(Child);
 
 impl Drop for Running {
@@ -208,7 +205,6 @@ impl Drop for Running {
     }
 }
 
-/// Opens a terminal, requests a hello, and waits for one.
 #[track_caller]
 fn check_hello(path: &Path) {
     let terminal = std::fs::OpenOptions::new().read(true).write(true).open(path);
@@ -432,7 +428,6 @@ fn readings(arguments: &[&str]) -> Option<Vec<(i32, i32)>> {
     Some(rig.samples().iter().map(|(_, samples)| first_key(samples)).collect())
 }
 
-/// Pairs the readings of an honest encoder with those of one with `fault`.
 fn pairs(fault: &str) -> Option<Vec<[(i32, i32); 2]>> {
     let (honest, faulty) = (readings(&[])?, readings(&["--fault", fault])?);
     assert_eq!(honest.len(), faulty.len());

@@ -210,14 +210,12 @@ fn reply_with<R: Record + Debug>(vector: &Vector) {
     check(vector, &bytes[..len], got, (board(vector), ids.0, ids.1, ids.2));
 }
 
-/// Asserts that a frame was decoded as expected, and encoded to the vector's bytes.
 #[track_caller]
 fn check<T: Copy + Debug + PartialEq>(vector: &Vector, bytes: &[u8], got: T, expected: T) {
     assert_eq!(got, expected, "{}", vector.name);
     assert_eq!(bytes, vector.frame(), "{}", vector.name);
 }
 
-/// Asserts that `record` has the vector's fields after `last`, by name and in order.
 #[track_caller]
 fn check_fields<R: Debug>(vector: &Vector, last: &str, record: &R) {
     let fields = vector.fields_after(last).map(|(name, value)| {

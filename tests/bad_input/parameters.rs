@@ -105,7 +105,6 @@ fn a_model_that_diverges_is_refused_before_it_plays() {
     check(&folder, &["run", "diverging.toml", "--virtual-time", "--duration", "1"], 2, &words);
 }
 
-/// A recording plays it nevertheless.
 #[test]
 fn a_model_that_diverges_is_counted_and_the_others_play_on() {
     let played = |scene: &Scene| {

@@ -10,7 +10,6 @@ use crate::machine_time::{Task, WaitWatch, judged_with_time, with_time};
 use crate::python::PythonBoard;
 use crate::rig::{Boards, count, machine, number, part_of_machine, run_watched, side_by_side};
 
-/// Tests the board behind `link`; returns the items that it breaks and those that it keeps.
 fn tested(watch: &WaitWatch, folder: &Path, link: &str, depth: &str) -> [Vec<String>; 2] {
     let test = format!("--test={depth}");
     let devices = ["devices", "--boards", "--json", &test, "--link", link];
@@ -38,7 +37,6 @@ struct Started<B> {
     link: String,
 }
 
-/// Asserts that a board breaks none of at least `n` items, in one of three trials.
 fn check_kept<B>(folder: &Path, n: usize, start: impl Fn() -> Started<B>, end: impl Fn(B)) {
     judged_with_time("a conforming board", |watch| {
         let Started { board, task, link } = start();
@@ -95,7 +93,6 @@ fn the_reference_firmware_keeps_every_item() {
     check_kept(&folder, 20, start, drop);
 }
 
-/// Arguments of a faulty Python board, depth of the test, items that detect the fault.
 const BROKEN: [(&[&str], &str, &[&str]); 16] = [
     (&["--drift", "50000"], "quiet", &["its clock"]),
     (&["--wrong", "flag"], "arm", &["an armed board says so"]),

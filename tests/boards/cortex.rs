@@ -15,7 +15,6 @@ use crate::rig::{
 
 const TOOLS: [&str; 2] = ["arm-none-eabi-gcc", "qemu-system-arm"];
 
-/// Returns `true` if the tools are installed, else prints what is missing.
 pub(crate) fn has_tools() -> bool {
     if std::env::var_os("LETOFF_MACHINES").is_some_and(|it| it == "none") {
         say("SKIPPED: boards under QEMU are tested by cargo xtask test --machines");
@@ -45,7 +44,6 @@ pub(crate) fn build(folder: &Path, board: usize) -> PathBuf {
     elf
 }
 
-/// A running processor and its port; dropping it ends the emulator.
 pub(crate) struct Processor {
     qemu: Child,
     pub(crate) port: String,
@@ -104,7 +102,6 @@ fn drive(
     (has_time(&report) && boards.iter().all(is_alive)).then_some(report)
 }
 
-/// Asserts that no stale force was rendered and no frame was lost.
 #[track_caller]
 fn check(what: &str, report: &Value, valid_ms: f64) {
     print_figures(what, report);

@@ -1,9 +1,7 @@
 //! The whole host against the fault rig: the reference firmware with motors, encoders, a finger
 //! and every known fault of boards. Both live in virtual time, so each row is exact.
 //!
-//! A row is judged by the motor's work, its largest force and how long the force lasted, then by
-//! the log and the exit code. The bounds are those of the classes in
-//! `firmware-protocol/BOARDS.md`.
+//! the log and the exit code. The bounds are those of the classes in `firmware-protocol/BOARDS.md`.
 
 use std::path::Path;
 
@@ -14,13 +12,10 @@ use crate::lockstep::build;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Class {
-    /// Exists before a model plays: the key gets no more than the push of its proof.
     AtArming,
     /// Damages samples or frames: almost no energy reaches the key.
     InSamples,
-    /// Appears during a piece: the key is silenced within 100 ms of its appearance.
     InRun,
-    /// Not affected by any frame of the host, which only names it.
     BeyondHost,
 }
 
@@ -124,7 +119,6 @@ const MORE_PUSH: f64 = 2.0;
 /// Time from the sign of a fault to the end of all forces (s): 100 ms, then 20 ms of fading.
 const SILENCED: f64 = 0.12;
 
-/// Largest force of the motors (N).
 const MAX_FORCE: f64 = 30.0;
 
 struct Felt {
@@ -159,7 +153,6 @@ fn play(rig: &Path, instrument: &str, seconds: &str, arguments: &str) -> (Said, 
     (said, felt)
 }
 
-/// Effect of the honest board on the same key, whatever its phase against the host.
 struct Honest {
     handed_out: f64,
     along: f64,

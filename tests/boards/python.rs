@@ -18,7 +18,6 @@ pub(crate) struct PythonBoard {
 }
 
 impl PythonBoard {
-    /// Starts the board in `folder`; prints a note and returns `None` without Python.
     pub(crate) fn start(folder: &Path, arguments: &[&str]) -> Option<Self> {
         let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/boards/board.py");
         let port = folder.join("board");
@@ -55,8 +54,7 @@ impl Drop for PythonBoard {
     }
 }
 
-/// Calibrates the board with the real command; returns the folder of the file, or `None` on a
-/// machine that was too busy.
+/// Calibrates the board with the real command; `None` on a machine that was too busy.
 fn calibrated(folder: &Path, board: PythonBoard) -> Option<PathBuf> {
     let files = folder.join("calibration");
     let dir = files.display().to_string();
@@ -99,7 +97,6 @@ fn play(
     (run_watched(watch, folder, &run), board.stop())
 }
 
-/// Largest force of each key before and after the fault (mN).
 fn forces(told: &Value) -> [Vec<u64>; 2] {
     ["before_mn", "after_mn"].map(|name| {
         let forces = told[name].as_array().expect("forces");
@@ -146,14 +143,12 @@ const REFUSED: [(&[&str], &str); 9] = [
     (&["--say", "max_sample_hz=0"], "max_sample_hz = 0, and 1 to 65535 is possible"),
 ];
 
-/// Drift of the rejected clock (%).
 const DRIFT: f64 = 5.0;
 
 /// Error within which the host must know a clock's rate before it rejects the clock (%):
 /// `RATE_ERROR` of `boards/clock.rs`. Virtual time gives the exact figure (`bad_boards.rs`).
 const RATE_ERROR: f64 = 0.3;
 
-/// Returns the drift in the host's message (%), if it rejects a clock.
 fn reported_drift(said: &Said) -> Option<f64> {
     let (_before, figure) = said.err.split_once("its clock runs ")?;
     figure.split(' ').next()?.parse().ok()
@@ -205,7 +200,6 @@ fn a_board_written_from_the_document_serves_and_what_is_wrong_with_it_is_said() 
     });
 }
 
-/// Asserts that the host stops arming a board that does not obey.
 #[track_caller]
 fn check_armings(what: &str, told: &Value) {
     let n = count(told, "/arm_requests");

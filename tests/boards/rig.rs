@@ -17,13 +17,11 @@ pub(crate) fn machine() -> RwLockWriteGuard<'static, ()> {
     MACHINE.write().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Shares the machine, for a test that mostly waits and tolerates others beside it.
 pub(crate) fn part_of_machine() -> RwLockReadGuard<'static, ()> {
     MACHINE.read().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Tests `cases`, `at_once` at a time, each thread in its own folder within `folder`. For cases
-/// that mostly wait and tolerate a busy machine.
+/// Tests `cases`, `at_once` at a time, each thread in its own folder: they mostly wait.
 pub(crate) fn side_by_side<T: Sync>(
     folder: &Path,
     at_once: usize,
@@ -47,7 +45,6 @@ pub(crate) struct Boards {
 }
 
 impl Boards {
-    /// Starts boards 0 to `count` − 1 on pseudo-terminals with additional `arguments`.
     pub(crate) fn start(folder: &Path, count: usize, arguments: &[&str]) -> Self {
         let links = folder.join("links");
         let _none = std::fs::remove_dir_all(&links);
@@ -68,7 +65,6 @@ impl Boards {
         boards
     }
 
-    /// Its threads.
     pub(crate) fn task(&self) -> Task {
         Task::process(self.child.as_ref().expect("they live"))
     }
@@ -100,7 +96,6 @@ impl Drop for Boards {
     }
 }
 
-/// Sends the child SIGINT, as Ctrl-C does.
 pub(crate) fn interrupt(child: &Child) {
     let pid = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw);
     let signal = rustix::process::Signal::INT;
@@ -144,7 +139,6 @@ pub(crate) fn report(said: &Said) -> Value {
     report
 }
 
-/// Returns `true` if a board was not played as intended.
 fn has_failed(board: &Value) -> bool {
     let lists = ["muted", "softened", "unproven"].map(|list| &board[list]);
     let [missing, frames] = ["/missing", "/frames"].map(|it| count(board, it));
@@ -169,13 +163,11 @@ pub(crate) fn number(report: &Value, path: &str) -> f64 {
 
 /// Returns `true` if host and boards got their time: the host woke for all but a few ticks, and
 /// neither a bare timer nor the boards' service was very late.
-///
 /// The verdict is independent of the links, so a host that exchanges badly is still judged.
 pub(crate) fn had_time(report: &Value, boards: &[Value]) -> bool {
     had_host_time(report) && boards.iter().all(|it| number(it, "/longest_gap_ms") < 10.0)
 }
 
-/// Asserts that these boards exchanged as often as planned and rendered no stale force.
 #[track_caller]
 pub(crate) fn check_exchange(report: &Value, mut numbers: impl Iterator<Item = usize>) {
     let tick_hz = number(report, "/tick_hz");
@@ -188,14 +180,12 @@ pub(crate) fn check_exchange(report: &Value, mut numbers: impl Iterator<Item = u
     assert_eq!(count(report, "/faults"), 0, "{report}");
 }
 
-/// Like [`had_time`] for emulated boards, whose clocks are the machine's own.
 pub(crate) fn had_emulated_time(report: &Value) -> bool {
     let tick_hz = number(report, "/tick_hz");
     let mut boards = report["boards"].as_array().into_iter().flatten();
     had_host_time(report) && boards.all(|it| 0.97 * tick_hz < number(it, "/samples_hz"))
 }
 
-/// The host's share of [`had_time`].
 pub(crate) fn had_host_time(report: &Value) -> bool {
     let ticks = count(report, "/ticks") + count(report, "/skipped");
     let late =

@@ -48,7 +48,6 @@ struct Call {
     rest: String,
 }
 
-/// Calls of the tick's threads from the first sleep of a tick to the last; none without a tick.
 fn calls_between_ticks(trace: &str) -> Vec<Call> {
     let mut threads = BTreeMap::new();
     let mut calls: Vec<Call> = Vec::new();
@@ -78,7 +77,6 @@ fn is_of_tick(thread: &str) -> bool {
     thread == TICK || thread.starts_with("letoff-lane-")
 }
 
-/// Returns `true` if tracing works, else prints a note.
 fn can_trace() -> bool {
     let tried = Command::new("strace").args(["-f", "-qq", "-o", "/dev/null", "true"]).output();
     let can = tried.is_ok_and(|it| it.status.success());
@@ -88,7 +86,6 @@ fn can_trace() -> bool {
     can
 }
 
-/// Traces the ticks of a run; `None` if the machine was too busy for many ticks or for arming.
 fn traced(folder: &Path, more: &[&str]) -> Option<Vec<Call>> {
     let trace = folder.join("calls");
     let run = ["run", "springs", "--listen", "none", "--json", "--duration", "3"];
@@ -100,7 +97,6 @@ fn traced(folder: &Path, more: &[&str]) -> Option<Vec<Call>> {
     (100 < ticks).then_some(calls)
 }
 
-/// Tries up to three times to trace a run that had time.
 fn judged_calls(what: &str, attempt: impl FnMut() -> Option<Vec<Call>>) -> Option<Vec<Call>> {
     can_trace().then(|| judged(&format!("system calls of a tick, {what}"), attempt))?
 }

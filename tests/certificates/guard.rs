@@ -10,7 +10,6 @@ pub(super) type OscillatorState = [f64; ENTRIES];
 
 type Orbit = Enclosure<OscillatorState, Motion>;
 
-/// Contribution of a guard to its level.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum GuardTerm {
     /// Σ wᵢ xᵢ
@@ -30,7 +29,6 @@ pub(super) enum GuardTerm {
 }
 
 impl GuardTerm {
-    /// Draws one of a system whose first `entries` have motion, under ticks of `h` (s).
     pub(super) fn random(random: &mut SeededRandom, moving: &[usize], h: f64) -> Self {
         let entry = moving[random.below(moving.len())];
         let weight = random.between(-1.0, 1.0);
@@ -51,7 +49,6 @@ impl GuardTerm {
         }
     }
 
-    /// Returns value and rate at `x`, which moves by `dx` (1/s), under the input `s`.
     pub(super) fn at(&self, x: &OscillatorState, dx: &OscillatorState, s: &Motion) -> GuardValue {
         match *self {
             Self::Linear { weights } => {

@@ -32,7 +32,6 @@ pub(super) enum InputKind {
 }
 
 impl InputKind {
-    /// Draws one for ticks of `h` (s): slow, or faster than the tick.
     pub(super) fn random(random: &mut SeededRandom, h: f64) -> Self {
         let amplitude = random.spread(0.05, 2.0);
         match random.below(6) {
@@ -98,7 +97,6 @@ impl Input {
 pub(super) struct InputPart {
     kind: InputKind,
     cubic: Cubic,
-    /// Start (s) and length (s) of the whole tick.
     start: f64,
     h: f64,
     theta: f64,
@@ -152,19 +150,16 @@ impl Signal<Motion> for InputPart {
     }
 }
 
-/// Returns the time since the middle of the nearest bell (s).
 fn phase(t: f64, period: f64) -> f64 {
     t - period * (t / period).round()
 }
 
-/// Returns the least distance of a bell's middle from the interval `from` to `to` (s).
 fn nearest(from: f64, to: f64, period: f64) -> f64 {
     let (a, b) = (phase(from, period), phase(to, period));
     let is_over = (to - from) >= 0.5 * period || (a < 0.0 && b > 0.0);
     if is_over { 0.0 } else { a.abs().min(b.abs()) }
 }
 
-/// Returns a bell and its rates at `z` widths from its middle.
 fn bell(amplitude: f64, width: f64, z: f64) -> Motion {
     let height = amplitude * (-z * z).exp();
     Motion {
@@ -175,7 +170,6 @@ fn bell(amplitude: f64, width: f64, z: f64) -> Motion {
     }
 }
 
-/// Returns their maxima from `z` widths outwards.
 fn bell_bound(amplitude: f64, width: f64, z: f64) -> Motion {
     // From 2 widths on each falls with the distance.
     let (z, near) = if z > 2.0 { (z, false) } else { (0.0, true) };

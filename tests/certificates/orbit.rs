@@ -20,13 +20,11 @@ pub(super) struct NegativePlace {
     pub(super) guard: usize,
     /// Place in the advanced time, 0 ..= 1.
     pub(super) theta: f64,
-    /// The guard relative to its size.
     pub(super) value: f64,
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeenPiece {
-    /// End in the advanced time, 0 ..= 1.
     pub(super) theta_end: f64,
     /// First negative guard inside, before the end of the piece.
     pub(super) inside: Option<NegativePlace>,
@@ -92,14 +90,12 @@ impl<'a> GuardLook<'a> {
         Some(Self { model, index, id: spec.id, scale: spec.scale, until })
     }
 
-    /// Returns the guard at the fraction `part` of the piece, relative to its size.
     fn at<S: Signal<Motion>>(&self, piece: &Piece<'_, OscillatorSystem, S>, part: f64) -> f64 {
         let (x, input) = piece.at(part);
         let value = self.model.guard((), self.id, &x, &input).value;
         value / self.size(piece, &x, &input)
     }
 
-    /// Returns the size of rounding: of the guard's terms, and of the orbit's sums.
     fn size<S: Signal<Motion>>(
         &self,
         piece: &Piece<'_, OscillatorSystem, S>,

@@ -30,7 +30,6 @@ pub(super) struct OscillatorSystem {
     specs: [GuardSpec; MOST_GUARDS],
     guards: [(f64, GuardTerm); MOST_GUARDS],
     count: usize,
-    /// Initial state, and that after an event that resets it.
     start: OscillatorState,
     restarts: bool,
     /// Factor on every bound: 1 is valid.
@@ -38,7 +37,6 @@ pub(super) struct OscillatorSystem {
 }
 
 impl OscillatorSystem {
-    /// Draws one for ticks of `h` (s), with valid bounds times `bound_factor`.
     pub(super) fn random(random: &mut SeededRandom, h: f64, bound_factor: f64) -> Self {
         let mut oscillators = [Oscillator::default(); MOST_OSCILLATORS];
         let mut start = OscillatorState::default();
@@ -84,7 +82,6 @@ impl OscillatorSystem {
         system
     }
 
-    /// Sets a guard that is `room` of its size above zero at the start.
     fn put_guard(&mut self, index: usize, term: GuardTerm, room: f64) {
         let still = Motion::default();
         let value = term.at(&self.start, &OscillatorState::default(), &still).value;
@@ -101,7 +98,6 @@ impl OscillatorSystem {
         self.guards[..self.count].get(index)
     }
 
-    /// Describes the moving oscillators in a message.
     pub(super) fn describe(&self) -> String {
         let moving = self.oscillators.iter().zip(self.start);
         format!("{:?}, pendulum {}", moving.collect::<Vec<_>>(), self.is_pendulum)

@@ -25,7 +25,6 @@ fn bounds_that_are_too_low_are_caught() {
     assert!(!report.described.is_empty());
 }
 
-/// Returns the work of one tick of 50 ms with the guard 0.999 − sin 200 x, and x at its end.
 fn fast_wave(bound_factor: f64) -> (Work, f64) {
     let model = OscillatorSystem::fast_wave(bound_factor);
     let limits = Limits { pieces: 1, ..Limits::default() };

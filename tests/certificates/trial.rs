@@ -23,7 +23,6 @@ pub(super) struct Trial {
     method: Any,
     /// `true` if each advance stops after one piece, so that each piece has its own verdict.
     is_single: bool,
-    /// Length of a tick (s).
     h: f64,
 }
 
@@ -68,7 +67,6 @@ impl Trial {
         }
     }
 
-    /// Advances one tick, perhaps piece by piece; returns `true` if it reached the end.
     fn tick(
         &self,
         tick: u64,

@@ -32,7 +32,6 @@ pub(crate) struct Audience {
     tapped: TickRecorderRings,
     pub(crate) ring: Consumer<MidiEvent>,
     pub(crate) counters: Arc<LiveCounters>,
-    /// Ticks in which each key's equations ran, and applied reset maps.
     active: [u32; KEYS],
     events: [u32; KEYS],
 }
@@ -68,14 +67,12 @@ impl TickObserver for Audience {
     }
 }
 
-/// Builds the voices of `scene` on `bus`, with marked lanes and an audience.
 pub(crate) fn stage<B: KeyBus>(scene: &Scene, bus: B, n_lanes: usize) -> Stage<B, Audience> {
     let mut voices = voices(scene);
     mark_lanes(&mut voices, &WATCHED);
     Stage::of(voices, scene.tick_hz, bus, n_lanes).watched_by(Audience::new(1 << 16))
 }
 
-/// Warms up, runs the watched ticks in the trap, and one more to unmark the lanes.
 pub(crate) fn run_watched<B: KeyBus>(stage: &mut Stage<B, Audience>) {
     for tick in 0..=WATCHED.end {
         if WATCHED.contains(&tick) {

@@ -56,7 +56,6 @@ unsafe impl GlobalAlloc for Trap {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Zone {
-    /// In a tick, where the heap is forbidden.
     Tick,
     Elsewhere,
 }
@@ -65,7 +64,6 @@ pub(crate) fn enter(zone: Zone) {
     IN_TICK.set(zone == Zone::Tick);
 }
 
-/// Calls `work` on this thread as if in a tick.
 pub(crate) fn within<T>(work: impl FnOnce() -> T) -> T {
     /// Leaves the tick even if an assertion fails.
     struct Leave;
@@ -93,7 +91,6 @@ pub(crate) fn watch() -> Watch {
 }
 
 impl Watch {
-    /// Returns allocations and frees in ticks since the trap was taken.
     pub(crate) fn caught(&self) -> (u64, u64) {
         let (allocated, freed) = counts();
         (allocated - self.before.0, freed - self.before.1)

@@ -18,7 +18,6 @@ use crate::stage::{Stage, keybed, play_all, scene, voices};
 use crate::tick::{Audience, WARM_UP, WATCHED, run_watched, stage};
 use crate::trap;
 
-/// A key on the second of two lanes, not the tick's own.
 const ELSEWHERE: usize = 42;
 
 #[test]

@@ -41,7 +41,6 @@ pub(crate) struct ActionCounts {
     pub(crate) failed: Vec<String>,
 }
 
-/// A bit for each key whose voice has values that are not finite.
 #[derive(Clone, Debug)]
 pub(crate) struct FailingVoices(Arc<[AtomicBool; KEYS]>);
 
@@ -78,9 +77,7 @@ impl SharedActed {
 
 #[derive(Clone, Debug)]
 pub(crate) struct RecordingPaths {
-    /// Ends when the disk is full.
     pub(crate) cut_short: PathBuf,
-    /// Begins when there is room again.
     pub(crate) second: PathBuf,
 }
 
@@ -97,7 +94,6 @@ pub(crate) struct Actor {
     coming: VecDeque<(u64, PlannedAction)>,
     acted: SharedActed,
     failing: FailingVoices,
-    /// Original limit on the size of files.
     usual: Rlimit,
 }
 

@@ -12,7 +12,6 @@ use crate::watch::BrokenPromise;
 /// a second, a process is stopped for less, and a damper falls a little after its key is let go.
 const LATE: f64 = 2.0;
 
-/// Returns the verdict on every promise; `undisturbed` is the same music without faults.
 pub(crate) fn judge(
     choice: &SoakChoice,
     plan: &SoakPlan,

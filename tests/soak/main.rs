@@ -91,7 +91,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// Tries the host and prints the verdicts. Returns `true` if every promise was kept.
 fn soak(args: &SoakArgs) -> Result<bool, Box<dyn Error>> {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     let _entered = runtime.enter();

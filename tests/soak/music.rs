@@ -6,7 +6,6 @@ use haptics::{Gesture, Touch};
 /// Longest time that a key is held (s).
 pub(crate) const LONGEST: f64 = 0.6;
 
-/// Returns the strokes of one key, which is let go before `end` (s).
 pub(crate) fn strokes(random: &mut Random, end: f64) -> Vec<Gesture> {
     let mut strokes = Vec::new();
     let mut start = 0.1 + random.unit();

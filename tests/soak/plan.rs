@@ -51,21 +51,18 @@ pub(crate) struct SoakPlan {
     pub(crate) ticks: u64,
     pub(crate) music: Vec<(KeyIndex, Vec<Gesture>)>,
     pub(crate) wires: Vec<(BoardId, FaultPlan)>,
-    /// Exchanges in which a board is cut off.
     pub(crate) silences: Vec<(BoardId, Vec<Range<u64>>)>,
     pub(crate) sensors: Vec<KeyTrouble<()>>,
     pub(crate) voices: Vec<KeyTrouble<BadValues>>,
     pub(crate) tunings: Vec<Tuning>,
     pub(crate) away: Vec<Range<u64>>,
     pub(crate) full: Range<u64>,
-    /// First tick of a fault at each key; the end for a spared one.
     pub(crate) first: [u64; KEYS],
 }
 
 struct PlanDraw {
     random: Random,
     hz: f64,
-    /// Time of faults (s).
     span: Range<f64>,
 }
 
@@ -78,7 +75,6 @@ impl PlanDraw {
         low + (high - low) * self.random.unit()
     }
 
-    /// Returns spans of `lengths` (s) with `pauses` (s) between them.
     fn spans(&mut self, pauses: (f64, f64), lengths: (f64, f64)) -> Vec<Range<u64>> {
         let mut spans = Vec::new();
         let mut at = self.span.start + self.between(0.0, pauses.1);
@@ -107,7 +103,6 @@ impl PlanDraw {
 }
 
 impl SoakPlan {
-    /// Draws a plan for `seconds` of ticks at `tick_hz` (1/s) from `seed`.
     pub(crate) fn new(seed: u64, seconds: f64, tick_hz: u32) -> Self {
         let mut random = Random(seed);
         let music = KeyIndex::all().map(|key| (key, music::strokes(&mut random, seconds - 1.5)));

@@ -34,7 +34,6 @@ struct StrangerState {
 }
 
 impl StrangerState {
-    /// Waits for `pause`; returns `true` if there is more to do.
     fn goes_on(&self, pause: Duration) -> bool {
         let mut left = pause;
         while !self.is_over.load(Ordering::Acquire) {
@@ -49,7 +48,6 @@ impl StrangerState {
 const LOOK: Duration = Duration::from_millis(20);
 
 impl Strangers {
-    /// Streams `session` on a port of this machine, and starts strangers.
     pub(crate) fn start(session: &RunSession, requests: Arc<RequestHandler>) -> io::Result<Self> {
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
         let settings = ServerSettings { address, insecure: true, ..ServerSettings::default() };
@@ -103,7 +101,6 @@ fn connect(shared: &StrangerState, address: SocketAddr) -> io::Result<TcpStream>
     Ok(stream)
 }
 
-/// Returns a text of a WebSocket client, masked by zeros.
 fn frame(text: &str) -> Vec<u8> {
     let length = u16::try_from(text.len()).unwrap_or(u16::MAX).to_be_bytes();
     [&[0x81, 0x80 | 0x7e], &length[..], &[0; 4], text.as_bytes()].concat()
@@ -143,7 +140,6 @@ fn send_rubbish(shared: &StrangerState, address: SocketAddr) {
     }
 }
 
-/// Keeps a processor busy for one second in four.
 fn keep_busy(shared: &StrangerState, _address: SocketAddr) {
     while shared.goes_on(Duration::from_secs(3)) {
         let mut random = Random(1);
@@ -158,7 +154,6 @@ fn keep_busy(shared: &StrangerState, _address: SocketAddr) {
     }
 }
 
-/// Stops and continues the process, as `kill -STOP` and `kill -CONT` do.
 fn stop_the_process(shared: &StrangerState, _address: SocketAddr) {
     let process = std::process::id();
     let script = format!("kill -STOP {process}; sleep {STOPPED}; kill -CONT {process}");

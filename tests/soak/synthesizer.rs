@@ -10,13 +10,11 @@ use crate::watch::Digest;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Sounds {
-    /// Start tick of each sounding note, by number.
     since: [Option<u64>; 128],
     /// Longest sounding of a note (ticks).
     pub(crate) longest: u64,
     pub(crate) notes: u64,
     pub(crate) lost: u64,
-    /// All received messages, in order.
     pub(crate) digest: Digest,
 }
 
@@ -65,7 +63,6 @@ impl Synthesizer {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns its port, which is missing in the ticks `away`, by the tick in `now`.
     pub(crate) fn port(&self, away: Vec<Range<u64>>, now: Arc<AtomicU64>) -> SynthesizerPort {
         SynthesizerPort { synthesizer: self.clone(), away, now, connected: None }
     }

@@ -10,14 +10,12 @@ use telemetry::{Event, Topic, Update};
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ToldEvents {
-    /// Number of faults and recoveries of each key.
     pub(crate) faults: BTreeMap<usize, u64>,
     pub(crate) recoveries: u64,
     pub(crate) lines: Vec<String>,
 }
 
 impl ToldEvents {
-    /// Returns the number of log lines on voices, suppressed ones included.
     pub(crate) fn lines_on_voices(&self) -> u64 {
         let of = |line: &String| {
             let held =
@@ -45,7 +43,6 @@ impl Telling {
         Box::new(EventCounter(self.clone()))
     }
 
-    /// Returns the host's own log, with lines kept.
     pub(crate) fn log(&self) -> Box<dyn MessageSink> {
         let told = self.clone();
         Box::new(LogSink::new(Box::new(move |_level, line| told.told().lines.push(line))))

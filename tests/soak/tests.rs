@@ -9,7 +9,6 @@ fn run(arguments: &str) -> Output {
     command.args(arguments.split(' ')).output().expect("the program runs")
 }
 
-/// Returns the report of a trial in virtual time in which every promise is kept.
 #[track_caller]
 fn tried(seconds: u32, seed: u32) -> String {
     let output = run(&format!("springs --duration {seconds} --seed {seed}"));

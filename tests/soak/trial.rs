@@ -12,10 +12,8 @@ use crate::watch::SoakFindings;
 
 #[derive(Clone, Debug)]
 pub(crate) struct SoakChoice {
-    /// Simulated keys, without a pianist and without MIDI output.
     pub(crate) scene: Scene,
     pub(crate) seed: u64,
-    /// Length of the run (s), 10 at least.
     pub(crate) seconds: f64,
     pub(crate) time: SoakTime,
     /// Folder of the recordings, without files of their names.

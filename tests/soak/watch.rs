@@ -19,8 +19,7 @@ const NO_FORCE: f64 = 1e-3;
 /// ms, and the motors' lag.
 const BOARD_FADE: f64 = 0.05;
 
-/// Digest of numbers that differs if any of them does: FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo,
-/// on words of 64 bits.
+/// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo) on words of 64 bits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Digest(pub(crate) u64);
 
@@ -57,11 +56,8 @@ pub(crate) struct SoakFindings {
     pub(crate) sent: f64,
     pub(crate) given: f64,
     pub(crate) over_limit: BrokenPromise,
-    /// Forces without a trusted sample or voice.
     pub(crate) untrusted: BrokenPromise,
-    /// Forces of motors whose board is cut off.
     pub(crate) unreached: BrokenPromise,
-    /// Forces of each key until its first fault.
     pub(crate) before: [Digest; KEYS],
     pub(crate) whole: [Digest; KEYS],
     pub(crate) wires: FrameCounts,
@@ -80,14 +76,11 @@ pub(crate) struct FrameCounts {
 
 pub(crate) type SharedFindings = Arc<Mutex<Option<Box<SoakFindings>>>>;
 
-/// Spoils samples, checks forces, and in virtual time performs the planned actions.
 pub(crate) struct KeyWatch {
     plan: Arc<SoakPlan>,
-    /// Performs actions between ticks; a thread does in real time.
     actor: Option<Actor>,
     failing: FailingVoices,
     now: Arc<AtomicU64>,
-    /// Largest force (N).
     limit: f64,
     /// Ticks for which a force may outlast its sample.
     fade: u32,
@@ -155,7 +148,6 @@ impl KeyWatch {
         }
     }
 
-    /// Checks that motors give no more than permitted, and nothing where their board is cut off.
     fn check_motors(&mut self, tick: u64, keybed: &SimulatedKeybed) {
         for key in KeyIndex::all() {
             let force = keybed.rig(key).map_or(0.0, |rig| rig.motor_force().abs());

@@ -96,7 +96,6 @@ pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Said {
     Said::new(command(folder, arguments).output().expect("the program runs"))
 }
 
-/// Runs `letoff` after a shell has run `first`.
 pub(crate) fn run_after(first: &str, folder: &Path, arguments: &[&str]) -> Said {
     let mut shell = Command::new("sh");
     shell.args(["-c", &format!("{first}\nexec \"$0\" \"$@\"")]).arg(program());
@@ -140,7 +139,6 @@ pub(crate) fn start(folder: &Path, arguments: &[&str]) -> Child {
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 
-/// Like [`start`], but writes the program's log to the end of `log`.
 pub(crate) fn start_logged(folder: &Path, log: &Path, arguments: &[&str]) -> Child {
     let log = fs::OpenOptions::new().create(true).append(true).open(log).expect("a log");
     let mut command = command(folder, arguments);
@@ -151,7 +149,6 @@ pub(crate) fn end(child: Child) -> Said {
     Said::new(child.wait_with_output().expect("the program ends"))
 }
 
-/// Runs `letoff`; asserts exit with `code` and one sentence with all of `words`.
 #[track_caller]
 pub(crate) fn check(folder: &Path, arguments: &[&str], code: i32, words: &[&str]) -> Said {
     let said = run(folder, arguments);

@@ -29,7 +29,6 @@ const TICK: Duration = Duration::from_millis(10);
 
 const ATTEMPTS: u32 = 3;
 
-/// Prints a line whether the test passes or fails.
 pub(crate) fn say(line: &str) {
     let _closed = writeln!(std::io::stderr(), "{line}");
 }
@@ -64,7 +63,6 @@ pub(crate) fn judged_with_time<T>(
     })
 }
 
-/// Runs a `test` that needs the machine's time; see [`judged_with_time`].
 pub(crate) fn with_time(what: &str, test: impl Fn(&WaitWatch)) {
     judged_with_time(what, |watch| {
         test(watch);
@@ -99,7 +97,6 @@ impl Task {
     }
 }
 
-/// Measures the longest wait of a test's threads, on a thread of its own.
 #[derive(Debug)]
 pub(crate) struct WaitWatch {
     tasks: Sender<Task>,
@@ -122,7 +119,6 @@ impl WaitWatch {
         Guarded(Some(child))
     }
 
-    /// Like [`Command::output`], for a process that is watched.
     pub(crate) fn output(&self, command: &mut Command) -> std::io::Result<Output> {
         self.guard(command.spawn()?).into_child().wait_with_output()
     }
@@ -165,7 +161,6 @@ impl Drop for Guarded {
     }
 }
 
-/// Looks at the threads of `added` tasks until no more can be added.
 fn longest_wait(added: &Receiver<Task>) -> Duration {
     let (mut tasks, mut workers, mut threads) = (Vec::new(), Vec::new(), BTreeMap::new());
     let mut longest = Duration::ZERO;
@@ -192,7 +187,6 @@ fn longest_wait(added: &Receiver<Task>) -> Duration {
     longest
 }
 
-/// Receives tasks until `due`. Returns `true` if no more can be added.
 fn receive_until(due: Instant, added: &Receiver<Task>, tasks: &mut Vec<Task>) -> bool {
     loop {
         match added.recv_timeout(due.saturating_duration_since(Instant::now())) {
@@ -214,14 +208,12 @@ fn kernel_workers() -> Vec<PathBuf> {
 #[derive(Clone, Copy, Debug)]
 struct ThreadLook {
     at: Instant,
-    /// `true` if it runs or waits for a processor.
     can_run: bool,
     run: Duration,
     waited: Duration,
 }
 
 impl ThreadLook {
-    /// Returns `None` for a thread that has ended.
     fn new(thread: &Path) -> Option<Self> {
         let at = Instant::now();
         let counts = fs::read_to_string(thread.join("schedstat")).ok()?;
@@ -233,7 +225,6 @@ impl ThreadLook {
         Some(Self { at, can_run, run, waited })
     }
 
-    /// Returns `true` if the thread could run and has not run since `last`.
     fn waits_since(&self, last: &Self) -> bool {
         self.can_run && (self.run, self.waited) == (last.run, last.waited)
     }

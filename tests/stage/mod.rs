@@ -25,7 +25,6 @@ pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
     try_scene(name, overrides).expect("a good scene")
 }
 
-/// Returns a scene of ours with overrides, or the refusal.
 pub fn try_scene(name: &str, overrides: &[(&str, &str)]) -> Result<Scene, String> {
     let overrides: Vec<_> =
         overrides.iter().map(|(name, value)| (String::from(*name), String::from(*value))).collect();
@@ -36,7 +35,6 @@ pub fn voices(scene: &Scene) -> Vec<(usize, BoxedVoice)> {
     audited(scene, &std::array::from_fn(|_key| Arc::default()))
 }
 
-/// Like [`voices`], with readable energy audits.
 pub fn audited(scene: &Scene, audits: &[Arc<AuditCell>; KEYS]) -> Vec<(usize, BoxedVoice)> {
     let assembler = VoiceBuilder::new(scene).expect("a rate that can be kept");
     let voice = |(key, voice)| {
@@ -104,7 +102,6 @@ pub struct Stage<B, O> {
 }
 
 impl<B: KeyBus> Stage<B, Nobody> {
-    /// Builds the voices of `scene` on `bus`, on one lane, without an observer.
     pub fn new(scene: &Scene, bus: B) -> Self {
         Self::on_lanes(scene, bus, 1)
     }
@@ -130,7 +127,6 @@ impl<B: KeyBus> Stage<B, Nobody> {
         Self::limited(voices, (tick_hz, f64::INFINITY), bus, n_lanes)
     }
 
-    /// Like `of`, with a slew limit (N/s).
     fn limited(
         voices: Vec<(usize, BoxedVoice)>,
         (tick_hz, slew): (u32, f64),
@@ -150,14 +146,12 @@ impl<B: KeyBus> Stage<B, Nobody> {
 }
 
 impl<B: KeyBus, O: TickObserver> Stage<B, O> {
-    /// Runs the next tick exactly when it is due.
     pub fn tick(&mut self) -> TickReport {
         let due = self.scheduler.next_due();
         let Self { scheduler, bus, lanes, observer, .. } = self;
         scheduler.poll(due, bus, lanes, observer).expect("due")
     }
 
-    /// Runs the tick that is due after `lost` others, which are never run.
     pub fn pause(&mut self, lost: u64) -> TickReport {
         let period = self.scheduler.timetable().period();
         let now = self.scheduler.next_due().after(period.span(lost));
@@ -165,7 +159,6 @@ impl<B: KeyBus, O: TickObserver> Stage<B, O> {
         scheduler.poll(now, bus, lanes, observer).expect("due")
     }
 
-    /// Returns the forces sent last (N).
     pub fn forces(&self) -> &[f64; KEYS] {
         self.scheduler.forces()
     }

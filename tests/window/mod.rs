@@ -11,7 +11,6 @@ use eframe::egui::vec2;
 use program::HostProgram;
 use user::UserWindow;
 
-/// Returns the position of the selected key (mm), as the keyboard panel shows it in words.
 fn shown_position(window: &UserWindow) -> Option<f64> {
     let words = window.text_with(" mm, ")?;
     words.split(" mm, ").next()?.parse().ok()

@@ -14,10 +14,8 @@ use crate::letoff::{folder, start_logged};
 /// Maximum wait for any machine: it only ends failed tests.
 pub(crate) const PATIENCE: Duration = Duration::from_mins(2);
 
-/// Interval of checks of a process.
 const INTERVAL: Duration = Duration::from_millis(20);
 
-/// `letoff` with other arguments, killed when it is dropped.
 #[derive(Debug)]
 pub(crate) struct Program(Child);
 
@@ -35,7 +33,6 @@ impl Drop for Program {
     }
 }
 
-/// `letoff run` on simulated keys or boards.
 #[derive(Debug)]
 pub(crate) struct HostProgram {
     folder: PathBuf,
@@ -46,12 +43,10 @@ pub(crate) struct HostProgram {
 }
 
 impl HostProgram {
-    /// Starts a host with a few simple keys, and waits until its stream listens.
     pub(crate) fn start(test: &str, arguments: &[&str]) -> Self {
         Self::start_scene(test, "springs", arguments)
     }
 
-    /// Like [`Self::start`], with another scene.
     pub(crate) fn start_scene(test: &str, scene: &str, arguments: &[&str]) -> Self {
         let listen = format!("127.0.0.1:{}", free_port());
         let usual = ["run", scene, "--midi", "none", "--black-box", "none", "--listen", &listen];
@@ -68,7 +63,6 @@ impl HostProgram {
         host
     }
 
-    /// Ends the host as a crash does.
     pub(crate) fn kill(&mut self) {
         self.program = None;
     }
@@ -88,7 +82,6 @@ impl HostProgram {
         }
     }
 
-    /// Asks the host by its control socket.
     pub(crate) fn ask(&self, request: &Request) -> Result<Result<Reply, String>, String> {
         send(&self.socket(), request).map_err(|error| error.to_string())
     }
@@ -101,7 +94,6 @@ impl HostProgram {
         self.folder.join("socket")
     }
 
-    /// Returns the target of a window that has the present secret of the host.
     pub(crate) fn target(&self) -> WindowTarget {
         WindowTarget::of(&self.address, self.token.clone(), None)
     }

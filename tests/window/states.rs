@@ -16,7 +16,6 @@ use crate::letoff::folder;
 /// Time after its restart within which a host is live in the window.
 const LIVE: Duration = Duration::from_secs(5);
 
-/// Time of a machine that runs other tests too.
 const BUSY: Duration = Duration::from_secs(25);
 
 /// Prints a time above `wanted`, and panics above [`BUSY`].

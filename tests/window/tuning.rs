@@ -13,7 +13,6 @@ use super::program::HostProgram;
 use super::user::UserWindow;
 use crate::letoff::folder;
 
-/// Returns the values that all keys of `host` play, bit by bit.
 fn playing(host: &HostProgram) -> Vec<Vec<u64>> {
     let Ok(Ok(Reply::Scene { toml })) = host.ask(&Request::Scene {}) else { panic!("no scene") };
     let file = host.folder().join("playing.toml");
@@ -34,7 +33,6 @@ fn open(host: &HostProgram) -> UserWindow {
     window
 }
 
-/// Selects the keys from `low` to `high` on the keyboard of the window.
 fn select(window: &mut UserWindow, low: &str, high: &str) {
     let front = |window: &UserWindow, key: &str| {
         window.rect(&format!("key {key}")).center_bottom() - vec2(0.0, 4.0)
@@ -45,7 +43,6 @@ fn select(window: &mut UserWindow, low: &str, high: &str) {
     window.shift_click_at(at);
 }
 
-/// Drags a slider from the middle of its track by `by` points.
 fn drag(window: &mut UserWindow, name: &str, by: f32) {
     let from = window.rect_of(Role::Slider, name).center();
     window.drag(from, from + vec2(by, 0.0));

@@ -13,7 +13,6 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use super::program::PATIENCE;
 
-/// Interval of frames while nothing wakes the window.
 const FRAME: Duration = Duration::from_millis(30);
 
 /// A window on a real source.
@@ -48,19 +47,16 @@ impl UserWindow {
         }
     }
 
-    /// Draws a few frames.
     pub(crate) fn settle(&mut self) {
         self.harness.run_steps(4);
     }
 
-    /// Moves the mouse to `at` and presses its button.
     pub(crate) fn press(&mut self, at: Pos2) {
         self.harness.event(Event::PointerMoved(at));
         self.harness.step();
         self.button(at, true);
     }
 
-    /// Turns the wheel over an element until it is in the window.
     #[track_caller]
     pub(crate) fn scroll_to(&mut self, role: Role, label: &str) {
         for _turn in 0..100 {
@@ -79,13 +75,11 @@ impl UserWindow {
         panic!("{label} is not within reach");
     }
 
-    /// Moves the mouse to `at` and draws a frame.
     pub(crate) fn move_to(&mut self, at: Pos2) {
         self.harness.event(Event::PointerMoved(at));
         self.harness.step();
     }
 
-    /// Releases the mouse's button.
     pub(crate) fn release(&mut self, at: Pos2) {
         self.button(at, false);
         self.settle();
@@ -120,7 +114,6 @@ impl UserWindow {
         self.click_at(at);
     }
 
-    /// Presses at `from`, moves in eight steps and releases at `to`.
     pub(crate) fn drag(&mut self, from: Pos2, to: Pos2) {
         self.press(from);
         for i in 1..=8 {
@@ -152,7 +145,6 @@ impl UserWindow {
         self.harness.get_by_label(label).rect()
     }
 
-    /// Returns the area of the only element with this role and label.
     #[track_caller]
     pub(crate) fn rect_of(&self, role: Role, label: &str) -> Rect {
         self.harness.get_by_role_and_label(role, label).rect()
@@ -169,19 +161,16 @@ impl UserWindow {
         node.accesskit_node().numeric_value().expect("a number")
     }
 
-    /// Returns the text of an element, as of a field.
     #[track_caller]
     pub(crate) fn value(&self, role: Role, label: &str) -> String {
         let node = self.harness.get_by_role_and_label(role, label);
         node.accesskit_node().value().expect("a text")
     }
 
-    /// Returns `true` if an element has exactly this label.
     pub(crate) fn has(&self, label: &str) -> bool {
         self.harness.query_all_by_label(label).next().is_some()
     }
 
-    /// Returns the first text that contains `part`.
     pub(crate) fn text_with(&self, part: &str) -> Option<String> {
         self.texts().into_iter().find(|text| text.contains(part))
     }

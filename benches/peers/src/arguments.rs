@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-/// Parsed command line.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Arguments {
     /// `true` if there are fewer rounds and shorter repeats: a check that everything runs.
@@ -19,7 +18,6 @@ pub(crate) struct Arguments {
 }
 
 impl Arguments {
-    /// Parses the words after the program's name; the error names the unknown word.
     pub(crate) fn parse(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
         let mut it = Self { out: PathBuf::from("results"), ..Self::default() };
         while let Some(word) = words.next() {

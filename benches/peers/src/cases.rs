@@ -10,14 +10,11 @@ use crate::problem::Problem;
 use crate::problems::{Ball, Block, BlockMode, Cradle};
 use crate::reference::{self, Reference};
 
-/// A problem with its reference and the codes that run on it.
 pub(crate) struct Case {
     pub(crate) name: &'static str,
     pub(crate) summary: &'static str,
-    /// End (s).
     pub(crate) t_end: f64,
     pub(crate) reference: Reference,
-    /// The rows of the codes that are Rust.
     pub(crate) entries: Vec<Entry>,
     /// Parameters as `name value` lines, for the other programs.
     pub(crate) parameters: String,
@@ -61,7 +58,6 @@ fn ball() -> Case {
 }
 
 /// The stroke of model B: height (rad), time (s) and 1/width (1/s) of each bell.
-///
 /// Only the position: where b1 is zero nothing else of the input enters, and the peers compute
 /// nothing else. Peers with a series of their own derive the same one from the formula.
 #[derive(Clone, Copy)]
@@ -121,7 +117,6 @@ fn block() -> Result<Case, String> {
     })
 }
 
-/// Builds a case with a reference of this package; `read` builds the problem from its parameters.
 fn contact<P, const N: usize, const G: usize, const M: usize>(
     name: &'static str,
     kind: &str,

@@ -7,7 +7,6 @@ use crate::log::Log;
 /// Origin of a code's settings.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Setting {
-    /// The code's defaults.
     Default,
     /// The documentation's advice, over a sweep of tolerances or steps; named where a code has
     /// several.
@@ -27,7 +26,6 @@ impl fmt::Display for Setting {
 pub(crate) type Run = Box<dyn Fn(&mut Log) -> Result<(), String>>;
 
 pub(crate) struct Entry {
-    /// Name of the code, as in [`crate::versions`].
     pub(crate) code: &'static str,
     pub(crate) method: &'static str,
     pub(crate) setting: Setting,

@@ -17,7 +17,6 @@ use crate::row::Row;
 #[derive(Clone, Debug)]
 pub(crate) struct External {
     pub(crate) code: &'static str,
-    /// Program and first arguments.
     pub(crate) command: Vec<PathBuf>,
     /// Maximum number of rounds: a run of soft contacts may take seconds.
     pub(crate) rounds: u32,
@@ -41,8 +40,7 @@ struct Line {
 }
 
 impl External {
-    /// Runs all rows of this program on `case`, each for about `budget`; the error is the reason
-    /// why there are none.
+    /// Runs all rows of this program on `case`, each for about `budget`; the error is the reason.
     pub(crate) fn run(
         &self,
         case: &Case,

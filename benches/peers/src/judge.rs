@@ -8,7 +8,6 @@ pub(crate) struct Verdict {
     /// `true` if the code reports events; otherwise only its states are judged.
     pub(crate) has_events: bool,
     pub(crate) events: usize,
-    /// First difference; `None` if all events happened in their order, and no others.
     pub(crate) failure: Option<String>,
     /// Largest error of an event's time (s).
     pub(crate) event_error: Option<f64>,
@@ -68,7 +67,6 @@ fn difference(expected: &[Expected], seen: &[(f64, &str)]) -> Option<String> {
     Some(format!("{n} events for {of}: after {first}, {seen_there} where {expected_there} is due"))
 }
 
-/// Returns `None` unless there is a state for each time of the reference.
 fn state_error(reference: &Reference, states: &[f64]) -> Option<f64> {
     let width = reference.scales.len();
     if width == 0 || states.len() != width * reference.states.len() {

@@ -13,7 +13,6 @@ pub(crate) struct Log {
     /// The states at the first of these times, one after the other.
     pub(crate) states: Vec<f64>,
     taken: usize,
-    /// Evaluations of the right-hand side, where the code counts them.
     pub(crate) evaluations: Option<u64>,
 }
 
@@ -29,7 +28,6 @@ impl Log {
         self.evaluations = None;
     }
 
-    /// Records an event; fails if there are too many.
     pub(crate) fn event(&mut self, t: f64, guard: &'static str) -> Result<(), String> {
         self.events.push((t, guard));
         let last = || format!("stopped after {MOST_EVENTS} events, the last at {t} s");
@@ -40,7 +38,6 @@ impl Log {
         !self.wanted.is_empty()
     }
 
-    /// Records the wanted states until `t` (s) from the dense output `at`.
     #[inline]
     pub(crate) fn sample<const N: usize>(&mut self, t: f64, mut at: impl FnMut(f64) -> [f64; N]) {
         // The end of a run may be off by rounding; a dense output must not be asked beyond it.

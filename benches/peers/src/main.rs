@@ -60,7 +60,6 @@ fn parameter_folder(out: &Path) -> Result<PathBuf, String> {
     Ok(folder)
 }
 
-/// Problems for the codes that compute contacts.
 const CONTACTS: &[&str] = &["cradle-1", "cradle-0.8", "block"];
 
 fn externals(arguments: &Arguments) -> Vec<External> {

@@ -16,7 +16,6 @@ const BATCH: Duration = Duration::from_micros(100);
 /// Length of a run above which it is timed only once a round.
 const LONG: Duration = Duration::from_millis(300);
 
-/// Times `run` for about `budget` and returns the time per run (ns) of each batch.
 pub(crate) fn time(run: &Run, log: &mut Log, budget: Duration) -> Vec<f64> {
     let once = batch(run, log, 1);
     if once > LONG {

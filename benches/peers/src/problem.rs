@@ -3,19 +3,15 @@
 use pode::Nature;
 
 /// A piecewise-continuous problem with `N` states and `G` guards.
-///
 /// The first guard that falls through zero fires, at the time of its zero; its reset map returns
 /// the mode and state from which the code continues.
 pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {
     type Mode: Copy + 'static;
 
-    /// Returns the names of a mode's guards, as in the reference.
     fn names(mode: Self::Mode) -> [&'static str; G];
 
-    /// Returns mode and state at t = 0.
     fn start(&self) -> (Self::Mode, [f64; N]);
 
-    /// Returns x' at `t` (s).
     fn derivative(&self, mode: Self::Mode, t: f64, x: &[f64; N]) -> [f64; N];
 
     /// Returns the guards, positive while the mode is valid.

@@ -17,7 +17,6 @@ const AWAY: f64 = 0.005;
 
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Expected {
-    /// Time (s).
     pub(crate) t: f64,
     pub(crate) guard: String,
 }
@@ -25,10 +24,8 @@ pub(crate) struct Expected {
 #[derive(Clone, Debug)]
 pub(crate) struct Reference {
     pub(crate) events: Vec<Expected>,
-    /// Times at which states are compared (s).
     pub(crate) times: Vec<f64>,
     pub(crate) states: Vec<Vec<f64>>,
-    /// Largest magnitude of each component of the state.
     pub(crate) scales: Vec<f64>,
 }
 
@@ -47,7 +44,6 @@ impl Reference {
     }
 }
 
-/// Returns the number of rows after the first until `t_end` (s).
 pub(crate) fn rows(t_end: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
     let count = (t_end / ROW + 0.5) as u32;
@@ -58,7 +54,6 @@ pub(crate) fn row_time(row: u32) -> f64 {
     f64::from(row) * ROW
 }
 
-/// Reads a case of model B under crates/instruments/tests/reference.
 pub(crate) fn model_b(name: &str) -> Result<(ModelB, f64, Reference), String> {
     let folder = folder();
     let json = read(&folder.join(format!("{name}.json")))?;

@@ -22,7 +22,6 @@ struct Results<'a> {
     skipped: &'a [String],
 }
 
-/// Writes both files into `out`; the error names the file.
 pub(crate) fn write(
     out: &Path,
     cases: &[Case],

@@ -51,7 +51,6 @@ pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &P
     outcome
 }
 
-/// Times the Rust codes for one round: their rows are the first, in the order of the entries.
 fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
     let entries = cases.iter().flat_map(|case| &case.entries);
     let mut log = Log::new(&[]);
@@ -60,7 +59,6 @@ fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
     }
 }
 
-/// Runs the other programs for one round; a failing one is skipped once, with its reason.
 fn run_externals(
     cases: &[Case],
     externals: &[&External],

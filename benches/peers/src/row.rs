@@ -18,8 +18,7 @@ pub(crate) struct Row {
     /// Relative and absolute tolerance, or step (s).
     pub(crate) tolerance_or_step: f64,
     pub(crate) events: usize,
-    /// `true` if all events happened in their order, and no others; `false` for a code without
-    /// events, which is judged by its states.
+    /// `true` if all events happened in their order; `false` for a code without events.
     pub(crate) sequence_ok: bool,
     pub(crate) event_error_s: Option<f64>,
     pub(crate) state_error: Option<f64>,
@@ -68,7 +67,6 @@ impl Row {
         }
     }
 
-    /// Computes minimum and median of runs over `t_end` (s); a failure has no time.
     pub(crate) fn sum_up(&mut self, t_end: f64) {
         let per_ms = 1.0 / (t_end * 1e3);
         let found = median_and_minimum(&self.times).filter(|_| self.failure.is_none());
@@ -78,7 +76,6 @@ impl Row {
         self.state_error = self.state_error.map(rounded);
     }
 
-    /// Returns `true` if both rows have the same problem, code, method, setting and tolerance.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.problem == other.problem
             && self.code == other.code

@@ -87,7 +87,6 @@ fn time(row: &Row) -> f64 {
     row.ns_per_ms_median.unwrap_or(f64::INFINITY)
 }
 
-/// Finds the cheapest row of each code and method that is accurate enough.
 fn cheapest<'a>(rows: &[&'a Row]) -> BTreeMap<Key<'a>, &'a Row> {
     let mut best: BTreeMap<_, &Row> = BTreeMap::new();
     for row in rows.iter().filter(|row| row.event_error_s.is_some_and(|error| error <= ERROR)) {
@@ -99,7 +98,6 @@ fn cheapest<'a>(rows: &[&'a Row]) -> BTreeMap<Key<'a>, &'a Row> {
     best
 }
 
-/// Finds the most accurate row of each code and method that is never accurate enough.
 fn missed<'a>(rows: &[&'a Row], best: &[&Row]) -> Vec<&'a Row> {
     let mut closest: BTreeMap<_, &Row> = BTreeMap::new();
     let is_listed = |row: &Row| best.iter().any(|known| key(known) == key(row));
@@ -141,7 +139,6 @@ fn table(rows: &[&Row]) -> String {
     text
 }
 
-/// Lists the failures: one line per code, method and kind of failure, with the settings.
 fn failures(rows: &[&Row]) -> String {
     let mut by_code: BTreeMap<Key<'_>, Vec<&Row>> = BTreeMap::new();
     for row in rows.iter().filter(|row| row.failure.is_some()) {
@@ -182,6 +179,5 @@ fn scientific(value: Option<f64>) -> String {
 }
 
 fn line(text: &mut String, arguments: std::fmt::Arguments<'_>) {
-    // Writing to a string cannot fail.
     let _ = writeln!(text, "{arguments}");
 }

@@ -7,7 +7,6 @@ use serde::Serialize;
 
 const LOCK: &str = include_str!("../Cargo.lock");
 
-/// Returns the version of a Rust code, or "-" for one without version.
 pub(crate) fn version(code: &str) -> String {
     if code == "handwritten" {
         return "-".to_owned();
@@ -47,7 +46,6 @@ fn cpu() -> Option<String> {
     Some(line.split_once(':')?.1.trim().to_owned())
 }
 
-/// Returns the output of a program, or "unknown".
 fn said(program: &str, arguments: &[&str]) -> String {
     let output = Command::new(program).args(arguments).output();
     let text = output.map(|it| String::from_utf8_lossy(&it.stdout).trim().to_owned());

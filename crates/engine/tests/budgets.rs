@@ -1,5 +1,4 @@
 //! The real pool, scheduler and loop under disturbances: no voice waits while there is time.
-//!
 //! Voices use processor time by their thread's clock, so other programs do not affect the results.
 #![expect(clippy::unwrap_used, reason = "a test may stop here")]
 
@@ -33,7 +32,6 @@ fn burn(time: f64) {
     }
 }
 
-/// Work of a voice in a tick: units, and the time of all of them (ns).
 type Burden = Arc<dyn Fn(u64) -> (u32, f64) + Send + Sync>;
 
 struct Burner {
@@ -105,7 +103,6 @@ impl TickObserver for TurnLog {
 }
 
 impl TurnLog {
-    /// Asserts that voices waited only within the recovery after a disturbance.
     #[track_caller]
     fn check(&self, disturbances: &[Range<u64>], situation: &str) {
         let is_expected = |tick: &u64| {

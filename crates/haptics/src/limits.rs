@@ -35,14 +35,12 @@ pub struct Gated {
     pub force: f64,
     /// `true` if the wanted force was finite; otherwise zero replaced it.
     pub finite: bool,
-    /// `true` if the wanted force exceeded the limit.
     pub limited: bool,
     /// `true` if the slew limit still holds the force back.
     pub slewed: bool,
 }
 
 /// Limits a force in size and slew, and rejects NaN and infinity.
-///
 /// Forces change by ramps at the slew limit; a wanted force that is not finite counts as zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceGate {

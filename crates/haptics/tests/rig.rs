@@ -12,7 +12,6 @@ fn gesture(touch: Touch, speed: f64, release: f64) -> Gesture {
     Gesture { start: 0.01, release, touch, speed, ..Gesture::USUAL }
 }
 
-/// Runs ticks `from .. to` under a constant force (N).
 fn run(rig: &mut KeyRig, from: u32, to: u32, force: f64, gesture: Option<&Gesture>) {
     for tick in from..to {
         rig.advance(f64::from(tick) * PERIOD, PERIOD, force, gesture);
@@ -148,7 +147,6 @@ fn speed_at_let_off(mass: f64, touch: Touch, speed: f64) -> f64 {
     0.0
 }
 
-/// Asserts that a faster gesture gives a faster key, from `slowest` to 3 m/s.
 #[track_caller]
 fn check_rising(mass: f64, touch: Touch, slowest: f64) {
     let speeds = (0..=60).map(|i| slowest * (3.0 / slowest).powf(f64::from(i) / 60.0));

@@ -128,7 +128,6 @@ fn presets_are_complete_and_within_ranges_for_all_keys() {
     }
 }
 
-/// Returns every preset of four keys with its label and a start at rest.
 fn presets<M: Described>(model: &M) -> impl Iterator<Item = (String, M)> + use<'_, M> {
     let ModelEntry { name, presets, parameters, .. } = model.entry();
     let keys = |preset| [0_u8, 29, 58, 87].map(|key| (preset, key));
@@ -188,7 +187,6 @@ fn missing_values_are_the_default_presets() {
 /// spring over the smallest inertia of any preset, 1e6 1/s².
 const ROUNDING: f64 = 1e-10;
 
-/// Returns `true` if all entries are zero except for rounding.
 fn is_nothing<S: State>(x: &S) -> bool {
     x.entries().iter().all(|entry| entry.abs() < ROUNDING)
 }
@@ -394,7 +392,6 @@ fn every_mode_is_of_the_nature_that_it_states() {
     }
 }
 
-/// Checks superposition, and that an affine mode does not read the input.
 #[track_caller]
 fn check_linear<M: Playable>(
     model: &M,

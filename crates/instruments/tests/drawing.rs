@@ -7,7 +7,6 @@ use crate::sketch::play::{Moment, film};
 use crate::sketch::{Drawing, Part, Point};
 use crate::stroke::{tuned, values};
 
-/// Returns every preset of every model, for the lowest and the highest key, with its label.
 fn presets() -> impl Iterator<Item = (String, SmallModel)> {
     let of = |model: SmallModel| {
         let ModelEntry { name: known, presets, .. } = model.entry();

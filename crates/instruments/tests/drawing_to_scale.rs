@@ -20,7 +20,6 @@ fn small(name: &str) -> SmallModel {
     crate::every_model::named(name).small().expect("a small model")
 }
 
-/// Returns the index of a mode of model C.
 #[track_caller]
 fn grand_mode(name: &str) -> usize {
     let modes = small(MODEL_C).entry().modes.clone();
@@ -56,7 +55,6 @@ fn below_string(drawing: &Drawing, moment: &Moment) -> f64 {
     extreme(&string, -1.0) - extreme(&felt, 1.0)
 }
 
-/// Checks that the head touches the string when the string's guard fires.
 #[track_caller]
 fn check_string<M: Playable>(model: &M, guard: &str) {
     let drawing = Drawing::of(model);
@@ -94,12 +92,10 @@ fn the_head_touches_the_string_where_the_guard_is_zero() {
     head_strikes(&small(MODEL_C));
 }
 
-/// Returns the hammer's shank, along which the slider moves.
 fn underside(drawing: &Drawing, moment: &Moment) -> Vec<Point> {
     drawing.part("hammer", moment).placed(moment, 0)
 }
 
-/// Returns the drawn slider: the last line of its body.
 fn slider(part: &Part, moment: &Moment) -> Vec<Point> {
     part.placed(moment, part.outlines.len() - 1)
 }
@@ -273,7 +269,6 @@ fn origin(drawing: &Drawing, name: &str, moment: &Moment) -> Point {
     drawing.part(name, moment).place(moment, [0.0, 0.0])
 }
 
-/// Checks that the drawn length `drawn` is `given` (m).
 #[track_caller]
 fn near(what: &str, drawn: f64, given: f64) {
     assert!((drawn - given).abs() < 1e-12, "{what}: {drawn} m is drawn for {given} m");

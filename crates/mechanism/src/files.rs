@@ -10,18 +10,15 @@ use instruments::FileContents;
 
 use crate::shipped::description;
 
-/// Longest accepted file (bytes).
 const MAX_FILE: u64 = 1 << 18;
 
 /// Problem of an unreadable file, and its remedy.
 pub(crate) type Unread = (String, &'static str);
 
-/// Returns `path` as an absolute path, otherwise unchanged.
 pub(crate) fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_unknown| path.to_owned())
 }
 
-/// Contents of files that are known without the disk, by absolute path.
 #[derive(Debug, Default)]
 pub(crate) struct KeptFiles(Mutex<BTreeMap<PathBuf, Arc<[u8]>>>);
 
@@ -31,7 +28,6 @@ impl KeptFiles {
         kept.insert(absolute(path), text.as_bytes().into());
     }
 
-    /// Returns the contents of the file at `path`: kept, or read from the disk.
     pub(crate) fn read(&self, path: &Path) -> Result<Vec<u8>, Unread> {
         let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(bytes) = kept.get(&absolute(path)) {

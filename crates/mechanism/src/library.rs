@@ -16,11 +16,7 @@ use crate::too_large;
 /// Reason for a missing model.
 #[derive(Debug)]
 pub enum MissingModel {
-    Unknown {
-        /// Problem with the name or path.
-        message: String,
-        help: String,
-    },
+    Unknown { message: String, help: String },
     Wrong(Diagnostics),
 }
 
@@ -60,10 +56,8 @@ pub fn unknown_model(wanted: &str) -> MissingModel {
     }
 }
 
-/// Loader of descriptions that keeps the models in use.
-///
-/// Clones share their versions. A version of a description lives as long as its model is in use;
-/// the shipped models are kept.
+/// Loader of descriptions that keeps the models in use. Clones share their versions. A version of a
+/// description lives as long as its model is in use; the shipped models are kept.
 #[derive(Clone, Debug, Default)]
 pub struct Library(Arc<LibraryState>);
 
@@ -74,7 +68,6 @@ struct LibraryState {
     versions: AtomicU32,
 }
 
-/// Version of a description, and the file from which it was read.
 #[derive(Debug)]
 struct KnownVersion {
     place: PathBuf,
@@ -95,7 +88,6 @@ impl Library {
     }
 
     /// Returns the model of the description at `path`.
-    ///
     /// A file with the contents of a version in use returns that version.
     ///
     /// # Errors
@@ -104,8 +96,7 @@ impl Library {
         self.try_load(path, &Arc::default()).1
     }
 
-    /// Like [`load`](Self::load), but also returns the files that were read, valid or not, and ends
-    /// early, with a mistake, once `is_cancelled` is set.
+    /// Like [`load`](Self::load), with the files read; ends early once `is_cancelled` is set.
     pub fn try_load(
         &self,
         path: &Path,
@@ -136,8 +127,7 @@ impl Library {
         })
     }
 
-    /// Replaces the contents of `path` by `text`, as when a recording is replayed with its
-    /// descriptions.
+    /// Replaces the contents of `path` by `text`, as in a replay with recorded descriptions.
     pub fn keep_file(&self, path: &Path, text: &str) {
         self.0.kept.keep(path, text);
     }
@@ -181,7 +171,6 @@ pub fn derive(wanted: &str) -> Result<DerivedModel, MissingModel> {
     crate::kane::derive_model(wanted, &text, &files).map_err(MissingModel::Wrong)
 }
 
-/// Returns the shipped model called `name`, derived on first use.
 fn shipped(name: &str) -> Option<Result<Arc<LoadedModel>, MissingModel>> {
     // A pure function of its index, computed once: concurrent requests get one model.
     static MODELS: [OnceLock<Arc<LoadedModel>>; SHIPPED.len()] =
@@ -216,7 +205,6 @@ pub fn interpreted() -> Option<&'static str> {
     INTERPRETED.get().map(String::as_str)
 }
 
-/// Compiles a derived model, or interprets it where no machine code can be made.
 #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
 fn compiled(
     path: &Path,

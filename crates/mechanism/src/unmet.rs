@@ -1,6 +1,5 @@
 use instruments::{LoadedModel, Playable, Visitor};
 
-/// Query for the conditions that these values do not meet.
 struct UnmetOf<'a>(&'a [f64]);
 
 impl Visitor for UnmetOf<'_> {

@@ -3,7 +3,6 @@ use std::sync::Arc;
 
 use mechanism::{Library, description};
 
-/// Returns the resident memory of this process (bytes).
 fn resident() -> u64 {
     let statm = fs::read_to_string("/proc/self/statm").unwrap();
     let pages: u64 = statm.split_whitespace().nth(1).unwrap().parse().unwrap();
@@ -23,7 +22,6 @@ fn fifty_reloads_of_a_description_leave_no_memory_behind() {
     let mut playing = None;
     let mut settled = 0;
     for reload in 0..FIRST + 50 {
-        // Values, prose and comments change from save to save.
         let changed = text.replace("summary = \"", &format!("summary = \"{reload}: "));
         assert_ne!(changed, text);
         fs::write(&path, changed).unwrap();

@@ -15,7 +15,6 @@ const G: f64 = 9.81;
 const RESTITUTION: f64 = 0.8;
 
 impl Model for Ball {
-    /// `true` while the ball bounces.
     type Mode = bool;
     type State = [f64; 2];
     type Input = ();

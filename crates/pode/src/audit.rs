@@ -32,9 +32,7 @@ impl Add for EnergyBalance {
 }
 
 /// A model that can account for its energy.
-///
-/// The first three functions are the sums of [`Energetic::balance_of_state`] and
-/// [`Energetic::balance_of_input`], which a model with costly common terms overrides.
+/// Models with costly common terms override [`Energetic::balance_of_state`] and `balance_of_input`.
 pub trait Energetic: Guarded {
     /// Returns the energy stored in `x` (J).
     fn energy(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;

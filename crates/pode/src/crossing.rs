@@ -69,8 +69,7 @@ impl GuardSpan {
         }
     }
 
-    /// Searches for the first crossing; the flag is `true` if no earlier one can have been missed.
-    /// `guard` evaluates the true guard inside the step.
+    /// Searches for the first crossing of the true `guard`; `true` if no earlier one can be missed.
     #[inline]
     pub(crate) fn crossing(&self, mut guard: impl FnMut(f64) -> f64) -> (Crossing, bool) {
         let crossing = match self.stand {
@@ -188,7 +187,6 @@ impl GuardSpan {
         }
     }
 
-    /// Finds the fall of a guard that starts below zero, if it is positive in between.
     fn rises_and_falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
         let turns = cubic.turns();
@@ -207,7 +205,6 @@ impl GuardSpan {
         low.map_or(Crossing::None, |(hi, at_hi)| shut_in((&cubic, turns), top, at_top, hi, at_hi))
     }
 
-    /// Finds where a guard that rests at zero turns negative.
     fn falls_from_rest(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         /// Fraction of the step at which the guard's curvature is compared with its cubic's.
         const NEAR: f64 = 1.0 / 1024.0;
@@ -223,7 +220,6 @@ impl GuardSpan {
         self.leaves_zero()
     }
 
-    /// Returns the fall of a guard that starts at zero, where it is surely negative.
     fn leaves_zero(&self) -> Crossing {
         let level = -self.spec.band();
         let at_lo = (self.start.value - level).max(f64::MIN_POSITIVE);

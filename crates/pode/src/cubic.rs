@@ -90,8 +90,7 @@ impl Cubic {
     /// Returns the root of a monotone stretch, by Newton kept inside its bracket.
     #[inline]
     pub(crate) fn root_between(&self, mut lo: f64, mut hi: f64) -> f64 {
-        /// Newton on a monotone cubic doubles its digits: 12 rounds reach the last one from any
-        /// start, and bisection covers the flat ends.
+        /// Newton doubles its digits: 12 rounds reach the last one; bisection covers the flat ends.
         const ROUNDS: usize = 12;
         /// A Newton step this short leaves its square as error.
         const LAST: f64 = 1e-9;

@@ -19,7 +19,6 @@ struct Corrected<'a> {
     used: usize,
 }
 
-/// A value with its first and second derivative by τ.
 type Jet = [f64; 3];
 
 fn product([a, a1, a2]: Jet, [b, b1, b2]: Jet) -> Jet {
@@ -111,7 +110,6 @@ impl Dip {
 mod tests {
     use super::*;
 
-    /// Returns whether a dip of `guard` was found, and the number of evaluations.
     fn looks(guard: impl Fn(f64) -> [f64; 2]) -> (bool, usize) {
         let ([g0, d0], [g1, d1]) = (guard(0.0), guard(1.0));
         let cubic = Cubic::hermite(g0, d0, g1, d1);

@@ -24,8 +24,7 @@ pub struct Enclosure<S, I> {
     /// Bound of |d²x/dτ²|.
     pub bends: S,
     pub input_start: I,
-    /// Largest magnitudes of the input and its rates over the step (unit/s, unit/s², …); `None`
-    /// where the signal does not know them.
+    /// Largest magnitudes of the input and its rates (unit/s, unit/s², …); `None` if unknown.
     pub input: Option<I>,
 }
 
@@ -42,7 +41,6 @@ impl GuardBound {
     pub const UNKNOWN: Self = Self { moves: f64::INFINITY, bend: f64::INFINITY };
     pub const STILL: Self = Self { moves: 0.0, bend: 0.0 };
 
-    /// Builds a bound from those of |g(τ) − g(0)| and of |d²g/dτ²|.
     #[inline]
     pub const fn new(moves: f64, bend: f64) -> Self {
         Self { moves, bend }

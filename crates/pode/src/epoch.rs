@@ -19,7 +19,6 @@
 //! A guard that its own reset map leaves at zero or below is `Spent`, and silent like a disarmed
 //! one. If it then sinks, and the reset map would turn it there, as an impact turns a body at rest
 //! on a floor, it fires again where it leaves zero.
-//!
 //! A guard that fires on crossings only is also `Leaving` if it crossed at the instant of another
 //! one that fired first, or in a jump of the input.
 
@@ -29,10 +28,8 @@ use crate::guard::{Fires, GuardSpec, GuardValue};
 pub(crate) enum Stand {
     Armed,
     Departing,
-    /// Zero, with all known rates zero.
     Resting,
     Disarmed,
-    /// Left disarmed by its own reset map, which would not turn it.
     Spent,
     /// Spent, but its reset map would turn it: it fires where it leaves zero.
     Sinking,
@@ -74,8 +71,7 @@ impl Stand {
         if is_off && self != Self::Armed { before } else { self }
     }
 
-    /// Returns the stand of a guard that crossed at this instant and has not fired yet: another
-    /// guard fired first, or the input jumped.
+    /// Returns the stand of a guard that crossed, unfired: another one fired, or the input jumped.
     #[inline]
     pub(crate) fn crossed(self) -> Self {
         if self == Self::Disarmed { Self::Leaving } else { self }

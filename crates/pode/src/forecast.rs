@@ -20,7 +20,6 @@ pub(crate) struct GuardSlot {
     pub(crate) value: GuardValue,
     /// Value and rate at the start of the last step.
     pub(crate) start: GuardValue,
-    /// `true` if `value` belongs to the present instant.
     pub(crate) is_fresh: bool,
     /// `true` if it has moved beyond the model's bound, which is then not used.
     pub(crate) is_doubted: bool,

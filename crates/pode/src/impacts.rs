@@ -168,7 +168,6 @@ mod tests {
         let mut impacts = Impacts::NONE;
         assert!(impacts.declare((), 1.0, 0.5).is_infinite(), "the first one");
         impacts.pass(0.5);
-        // Half a second later half a second remains; the new declaration adds 0.01 s.
         let error = impacts.declare((), 0.51, 0.5);
         assert!((error - 0.01).abs() < 1e-15, "{error}");
         impacts.pass(0.255);

@@ -94,12 +94,10 @@ pub use state::{Factors, Matrix, State};
 pub use stepper::{Field, Step, Stepper};
 pub use watch::{Event, EventCause, Piece, Silent, Watch};
 
-/// Examples of the README, as tests.
 #[cfg(all(doctest, feature = "std"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// Examples of the guide, as tests.
 #[cfg(all(doctest, feature = "std"))]
 #[doc = include_str!("../GUIDE.md")]
 struct Guide;

@@ -26,7 +26,6 @@ pub struct Limits {
 }
 
 /// Limit of the derivatives and guards evaluated in one tick; a running search is finished.
-///
 /// Unlike the other limits it depends on the caller's time, and may change between ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WorkLimit {
@@ -75,7 +74,6 @@ impl Limits {
         self.pieces.saturating_mul(T::EVALUATIONS + T::REFINEMENT)
     }
 
-    /// Returns the maximum of Jacobians in one tick with the method `T`.
     pub const fn most_jacobians<T: Stepper>(&self) -> u32 {
         self.pieces.saturating_mul(T::JACOBIANS)
     }

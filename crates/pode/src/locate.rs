@@ -7,10 +7,8 @@
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Bracket {
     pub lo: f64,
-    /// The guard at `lo`, positive.
     pub at_lo: f64,
     pub hi: f64,
-    /// The guard at `hi`, zero or negative.
     pub at_hi: f64,
 }
 
@@ -51,8 +49,6 @@ pub struct Located {
 /// `seed` is the root of a model of the guard, with its `slope` there. `guard` is evaluated at most
 /// four times more than bisection to the tolerance needs. A guard that rests at zero is located
 /// where it turns negative, one that jumps is located after the jump.
-///
-/// # References
 /// Oliveira & Takahashi 2020 `[OT20]`, with κ1 = 0.2/(b − a), κ2 = 2, n0 = 1.
 pub fn locate(
     guard: impl FnMut(f64) -> f64,
@@ -138,7 +134,6 @@ impl<G: FnMut(f64) -> f64> RootSearch<G> {
         self.bracket.lo < tau && tau < self.bracket.hi
     }
 
-    /// Evaluates the guard at `tau` and moves the bracket's end on that side.
     fn look(&mut self, tau: f64) -> f64 {
         let value = self.value(tau);
         if value == 0.0 && !self.is_flat {
@@ -216,7 +211,6 @@ mod tests {
     const TOLERANCES: [f64; 3] =
         [1.0 / (1_u64 << 20) as f64, 1.0 / (1_u64 << 40) as f64, 1.0 / (1_u64 << 50) as f64];
 
-    /// A guard as a function of the distance from its root.
     type Guard = fn(f64) -> f64;
 
     /// Guards that fall through zero at a given place, and are hard on root finders.
@@ -238,7 +232,6 @@ mod tests {
         Bracket { lo, at_lo: guard(lo), hi, at_hi: guard(hi) }
     }
 
-    /// Asserts that the search keeps its maximum and finds the root.
     #[track_caller]
     fn check(name: &str, guard: Guard, root: f64, seed: Option<(f64, f64)>) {
         for tolerance in TOLERANCES {

@@ -63,8 +63,7 @@ fn large_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     ([first.0, second.0], [first.1, second.1])
 }
 
-/// Returns sines and cosines of two angles (rad), with the bits of [`sin_cos`], in the time of one
-/// if they lie side by side, as a state's entries do.
+/// Returns sines and cosines of two adjacent angles (rad), with [`sin_cos`]'s bits and time.
 #[expect(clippy::inline_always, reason = "a call takes angles and results through memory")]
 #[inline(always)]
 pub fn sin_cos_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {

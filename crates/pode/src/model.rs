@@ -10,18 +10,12 @@ use crate::series::{Expansion, INPUT_TERMS};
 use crate::state::State;
 use crate::stepper::{differences, unit_differences};
 
-/// Equations of motion and readout, one set per mode.
-///
-/// A model is constant; everything that changes is in the state and the mode.
+/// Equations of motion and readout, one set per mode; what changes is in the state and the mode.
 pub trait Model {
-    /// Contact configuration.
     type Mode: Copy + Eq + Debug + Send;
-    /// Coordinates, then speeds.
     type State: State;
-    /// What is measured and drives the model.
     type Input: Copy + PartialEq + Debug + Send;
 
-    /// How many leading entries of the state are coordinates.
     const COORDS: usize;
 
     /// Returns the number of leading coordinates, which may depend on values of the model.
@@ -53,8 +47,7 @@ pub trait Model {
         self.derivative(mode, x, input)
     }
 
-    /// Returns the readout in `mode`: the generalised force on what drives the input.
-    /// `[GC93]` eq. 7. A model that drives nothing has none.
+    /// Returns the generalised force on what drives the input, if anything does. `[GC93]` eq. 7.
     fn readout(&self, _mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
         0.0
     }
@@ -79,7 +72,6 @@ pub trait Model {
 }
 
 /// Conditions of a mode: constraints on the state, and guards that end it, in reach of a step.
-///
 /// A model that is always valid has none: `impl Guarded for X {}`.
 pub trait Guarded: Model {
     /// Returns `x` with the coordinates that `mode` slaves to the input put in place.
@@ -145,7 +137,6 @@ pub trait Guarded: Model {
 }
 
 /// Where the state lands, and in which mode, when a guard fires.
-///
 /// A model whose guards only tell when they are crossed needs no more than `impl Resets for X {}`.
 pub trait Resets: Guarded + Sized {
     /// Applies the reset map x⁺ = H(x⁻, u), by default the identity. `[GC93]` eq. 12.
@@ -163,7 +154,6 @@ pub trait Resets: Guarded + Sized {
 /// What a reset map gives.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Reset<M: Model> {
-    /// Mode that holds after the reset.
     pub mode: M::Mode,
     pub state: M::State,
     /// Impulse on what drives the input (readout × s).
@@ -213,7 +203,6 @@ pub struct Settling<M: Model> {
     pub after: f64,
     /// Ratio of each interval to the one before: the restitution e, in 0 .. 1.
     pub ratio: f64,
-    /// Mode from there on.
     pub mode: M::Mode,
     pub state: M::State,
     /// Impulse of all the impacts until then (readout × s).

@@ -15,7 +15,6 @@ pub enum Cap {
     Events,
     Cascade,
     Guards,
-    /// Steps and parts of steps.
     Pieces,
     /// Limit of derivatives and guards together.
     Work(u32),
@@ -24,7 +23,6 @@ pub enum Cap {
 /// Reason for which the model could not be advanced.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
-    /// The period is not a positive, finite number.
     Period,
     /// The derivative or the state is not finite.
     State,
@@ -105,8 +103,7 @@ pub struct Tick {
     pub impulse: f64,
     /// Largest local error by the stepper's estimate; 0 if it has none.
     pub local_error: f64,
-    /// Largest move of a coordinate by an event onto the constraint of the next mode, in that
-    /// coordinate's unit; 0 where nothing is slaved.
+    /// Largest move of a coordinate by an event onto the next constraint, in its unit; else 0.
     pub projection: f64,
     pub work: Work,
 }

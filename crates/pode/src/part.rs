@@ -54,8 +54,7 @@ impl Part {
         Self { nature: Some(nature), ..self }
     }
 
-    /// Returns the part with its own longest step (s); one longer than the mode's steps makes the
-    /// part take one step for several of them.
+    /// Returns the part with its own longest step (s), possibly several of the mode's steps.
     #[must_use]
     pub const fn with_longest_step(self, longest_step: f64) -> Self {
         Self { longest_step, ..self }

@@ -30,7 +30,6 @@ impl Cap {
 }
 
 impl Display for Cap {
-    /// As in `too many events in one tick: raise Limits::events`.
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(f, "too many {}: raise {}", self.unit(), self.limit())
     }

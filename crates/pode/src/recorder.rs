@@ -1,5 +1,4 @@
-//! A watch that keeps events, samples and work, with the time in seconds, for a person to read. It
-//! grows, so it is for offline runs and tests.
+//! A watch that keeps events, samples and work, with times in seconds; for offline use: it grows.
 #![expect(clippy::disallowed_methods, reason = "not for the tick: a record grows")]
 
 use std::fmt::{self, Display, Formatter};

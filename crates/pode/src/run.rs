@@ -5,7 +5,6 @@ use crate::input::Signal;
 use crate::limits::Limits;
 use crate::outcome::{Advance, Cap, Fault, Tick, Work};
 
-/// One tick in progress.
 #[derive(Debug)]
 pub(crate) struct TickRun<'a, S, W> {
     /// Length of the tick (s).

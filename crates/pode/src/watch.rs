@@ -87,7 +87,6 @@ pub enum EventCause<'a> {
 }
 
 impl EventCause<'_> {
-    /// Returns its name in logs and files.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Guard(spec) => spec.name,
@@ -124,8 +123,7 @@ impl<M: Model> Event<'_, M> {
 
 /// An observer of a simulation; all functions are optional.
 pub trait Watch<M: Model> {
-    /// `true` if pieces are evaluated between their ends: their dense output then has its full
-    /// order, which costs some methods evaluations.
+    /// `true` if pieces are evaluated inside: full dense order, at a cost for some methods.
     const LOOKS_INSIDE: bool = true;
 
     /// Observes an advanced piece, with its dense output.

@@ -84,8 +84,7 @@ proptest! {
                 break;
             }
             let expected = first * (1.0 + 2.0 * e * (1.0 - e.powi(n - 1)) / (1.0 - e));
-            // The sums round the height by some 1e-15, which the speed makes a time; lost speed is
-            // lost.
+            // The sums round the height by some 1e-15, which the speed makes a time.
             let speed = G * first * e.powi(n - 1);
             close(format_args!("bounce {n} of {}", recorder.events().len()), seen.t, expected, 1e-12 + 1e-14 / speed);
         }

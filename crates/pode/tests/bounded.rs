@@ -84,7 +84,6 @@ fn work_of_typical_ticks() {
         unknown: pieces,
         ..Work::default()
     };
-    // The first tick evaluates the guards; then once at the end of each.
     assert_eq!(next(), tick(1, 4, 2, 3, 0), "first tick");
     let quiet = tick(1, 4, 1, 3, 0);
     for n in 1..451 {

@@ -22,7 +22,6 @@ const LANDING: f64 = RADIANS * RADIANS * RADIANS * RADIANS / 69.0;
 /// A mass on a spring on a belt: place (m) and speed (m/s) over a fixed ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Block {
-    /// Mass (kg).
     mass: f64,
     /// Stiffness of the spring (N/m).
     k: f64,
@@ -64,7 +63,6 @@ impl Sided for Block {
         [x[1], (self.readout(branch, x, belt) - self.k * x[0]) / self.mass]
     }
 
-    /// Returns the friction (N).
     fn readout(&self, branch: Branch, x: &[f64; 2], belt: &Motion) -> f64 {
         self.friction(branch, x[1] - belt.rate)
     }
@@ -99,7 +97,6 @@ fn start_with<T: Stepper>(
     Simulator::new(model, stepper, Limits::default(), mode, state)
 }
 
-/// Returns a belt at a constant speed (m/s).
 fn steady(speed: f64) -> impl Fn(f64) -> Motion {
     move |t| Motion { position: speed * t, rate: speed, ..Motion::default() }
 }

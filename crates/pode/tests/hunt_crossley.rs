@@ -20,25 +20,21 @@ struct Felt {
     k: f64,
     power: f64,
     lambda: f64,
-    /// Entry speed (m/s).
     speed: f64,
 }
 
 impl Felt {
-    /// Returns u − ln u − 1 at the entry.
     fn invariant(&self) -> f64 {
         let v = self.lambda * self.speed;
         v - v.ln_1p()
     }
 
-    /// Returns the speed at the exit (m/s).
     fn exit(&self) -> f64 {
         let target = self.invariant();
         // v − ln(1 + v) falls from +∞ at −1 to 0 at 0.
         root(-1.0 + 1e-15, 0.0, |v| v - v.ln_1p() - target) / self.lambda
     }
 
-    /// Returns the deepest penetration (m).
     fn depth(&self) -> f64 {
         let one = self.power + 1.0;
         (self.mass * one * self.invariant() / (self.k * self.lambda * self.lambda)).powf(1.0 / one)
@@ -56,7 +52,6 @@ impl Model for Felt {
         [x[1] * self.speed / self.depth(), -force / self.mass / self.speed]
     }
 
-    /// Returns the force (N).
     fn readout(&self, touched: bool, x: &[f64; 2], (): &()) -> f64 {
         if !touched {
             return 0.0;
@@ -94,8 +89,7 @@ impl Resets for Felt {
     }
 }
 
-/// Returns exit speed (m/s), depth (m), contact time (s) and impulse (N s) of a felt that is
-/// touched 2 ms after the start.
+/// Returns exit speed (m/s), depth (m), contact time (s), impulse (N s); touched after 2 ms.
 fn contact(felt: Felt, h: f64, phase: f64, until: f64) -> [f64; 4] {
     let method = Controlled { method: Dop853, tolerance: Tolerance::both(1e-13) };
     let start = [-2e-3 * felt.speed / felt.depth(), 1.0];

@@ -17,7 +17,6 @@ use crate::driven::{Clock, root, run_driven};
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Oscillator {
     drive: f64,
-    /// ω (rad/s).
     omega: f64,
     restitution: f64,
     wall: f64,
@@ -39,8 +38,7 @@ impl Oscillator {
         [a * cos + b * sin + gamma * c1, b * cos - a * sin - gamma * self.omega * s1]
     }
 
-    /// Returns time and speed of the next impact after `from`; `None` if there is none before
-    /// `until`, or none that is sharp.
+    /// Returns time and speed of the next sharp impact between `from` and `until`, if any.
     fn impact(&self, from: f64, x: [f64; 2], until: f64) -> Option<[f64; 2]> {
         let step = 2e-3 / self.omega.max(1.0);
         let gap = |t: f64| self.flown(from, x, t)[0] - self.wall;

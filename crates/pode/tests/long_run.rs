@@ -15,7 +15,6 @@ use crate::common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
 use crate::common::stick_slip::StickSlip;
 use crate::common::{G, STEPS, close, no_input};
 
-/// Number of each guard's events, and time of the last (s).
 #[derive(Debug)]
 struct Count {
     guard: &'static str,
@@ -83,7 +82,6 @@ fn rk4_loses_in_a_hundred_seconds_what_its_order_says() {
             run_for(&mut head, &mut Count::of("touch", h), 100.0, |mode| mode == Mode::Flight);
             let steps = std::f64::consts::PI / RADIANS;
             let once = 2.0 * RADIANS.powi(4) / 69.0 + steps * RADIANS.powi(6) / 144.0;
-            // Energy goes with the square of the amplitude.
             let most = 2.0 * once * 100.0 / period;
             close(format_args!("k {k}, h {h}: energy"), drift(*head.state()), 0.0, most);
         }

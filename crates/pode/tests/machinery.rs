@@ -306,7 +306,6 @@ impl<M: Model> Watch<M> for Thetas {
     }
 }
 
-/// Returns the events of a threshold of 1 in ticks of `h` that begin with these inputs and rises.
 fn crossings(
     guards: &'static [GuardSpec],
     h: f64,

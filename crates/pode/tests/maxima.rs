@@ -90,8 +90,7 @@ fn eight_guards_over_short_steps_reach_the_most_guard_evaluations() {
     }
 }
 
-/// Asserts that short steps of a mode of this `nature` reach the maximum of pieces, and with them
-/// those of derivatives and Jacobians, of which `T` needs some.
+/// Asserts that short steps of a mode of this `nature` reach the maxima of pieces and derivatives.
 #[track_caller]
 fn check_steps<T: Stepper>(stepper: T, nature: Nature) {
     let short = Busy { nature, longest_step: 1e-4, ..Busy::IDLE };
@@ -125,7 +124,6 @@ fn short_steps_reach_the_most_pieces_derivatives_and_jacobians() {
     assert_eq!(LIMITS.most_derivatives::<Rk4>(), 4096);
 }
 
-/// Asserts that all steps of an impossible motion are refused, at this many derivatives per tick.
 #[track_caller]
 fn check_refused<T: Stepper>(stepper: T, derivatives: u32) {
     let limits = Limits::default();

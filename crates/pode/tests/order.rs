@@ -96,7 +96,6 @@ fn driven(level: f64) -> OneMode<f64, 3> {
     }
 }
 
-/// Returns when q first falls through `level` (s), by bisection on the closed form.
 fn crossing(level: f64) -> f64 {
     let (mut lo, mut hi) = (1.0, 4.6);
     for _ in 0..60 {

@@ -79,7 +79,6 @@ fn from_rest() -> Simulator<Pendulum, Rk4> {
     Simulator::new(pendulum, Rk4, Limits::default(), (), [1.2, 0.0])
 }
 
-/// Returns the tolerance (s) of a time `t` (s) with steps of `h` (s).
 fn tolerance(h: f64, t: f64) -> f64 {
     (G.sqrt() * h).powi(4) * t / 30.0 + 1e-12 * t
 }

@@ -12,7 +12,6 @@ const C: GuardSpec = GuardSpec::new(2, "c");
 static ORDERS: [[GuardSpec; 3]; 6] =
     [[A, B, C], [A, C, B], [B, A, C], [B, C, A], [C, A, B], [C, B, A]];
 
-/// Three balls over a floor, each with a guard.
 fn balls(guards: &'static [GuardSpec], restitution: f64) -> OneMode<f64, 6> {
     OneMode {
         readout: |_, x| x[0] + x[1] + x[2],

@@ -73,7 +73,6 @@ impl Resets for Switch {
     }
 }
 
-/// Times (s) and directions of the transitions, `true` for up.
 #[derive(Debug)]
 struct Transitions {
     h: f64,
@@ -195,17 +194,14 @@ fn sine(t: f64) -> f64 {
     0.3 * (std::f64::consts::TAU * t).sin()
 }
 
-/// Returns the time of the first rise through 0.1; the fall is as long before half a period.
 fn first() -> f64 {
     (0.1_f64 / 0.3).asin() / std::f64::consts::TAU
 }
 
-/// Returns the speed at the threshold (rad/s).
 fn speed() -> f64 {
     std::f64::consts::TAU * (0.09_f64 - 0.01).sqrt()
 }
 
-/// Asserts two transitions in each of `periods`, off by `tolerance` (s) at most, after a latency.
 #[track_caller]
 fn check_sine(setup: Setup, periods: u32, tolerance: f64) {
     let seen = setup.transitions(sine, f64::from(periods));

@@ -165,7 +165,6 @@ impl Resets for OnFloor {
     }
 }
 
-/// Time of the last event (s) and its stated error.
 struct Last {
     h: f64,
     at: (f64, f64),

@@ -37,7 +37,6 @@ impl Model for Ball {
         }
     }
 
-    /// Returns the force on the table (N).
     fn readout(&self, mode: Mode, _: &[f64; 2], table: &Motion) -> f64 {
         match mode {
             Mode::OnTable => G + table.acceleration,
@@ -90,7 +89,6 @@ struct Table {
 }
 
 impl Table {
-    /// Returns a table with this maximum acceleration (g).
     fn of(g_forces: f64, omega: f64) -> Self {
         Self { amplitude: g_forces * G / omega.powi(2), omega }
     }

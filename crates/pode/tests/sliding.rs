@@ -18,7 +18,6 @@ pub struct Fields {
     /// Coefficients of r₊ by power of t.
     pub above: [f64; 4],
     pub below: [f64; 4],
-    /// c (1/s).
     pub drift: f64,
     pub size: f64,
 }

@@ -111,7 +111,6 @@ fn crossings(u: f64, lambda: f64) -> Vec<(f64, Mode)> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Ring;
 
-/// Returns radius and rate at `t` (s).
 fn radius(t: f64) -> [f64; 2] {
     let (sin, cos) = (3.0 * t).sin_cos();
     [1.0 + 0.1 * sin, 0.3 * cos]

@@ -11,7 +11,6 @@ use proptest::prelude::*;
 use crate::driven::{Clock, run_driven};
 use crate::sliding::Fields;
 
-/// Returns the coefficients of a + b t.
 fn line([a, b]: [f64; 2]) -> [f64; 4] {
     [a, b, 0.0, 0.0]
 }

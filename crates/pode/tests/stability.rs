@@ -22,7 +22,6 @@ fn step<T: Stepper, S: State>(
 struct Chain {
     /// Stiffness to the wall and between the masses (N/m).
     k: [f64; 2],
-    /// Damping between the masses (N·s/m).
     c: f64,
 }
 
@@ -45,10 +44,8 @@ impl Chain {
     }
 }
 
-/// A step (s).
 const H: f64 = 1e-3;
 
-/// Returns chains from 0.01 to 1e4 rad of the stiff spring in a step, damped and not.
 fn chains() -> impl Iterator<Item = Chain> {
     let rates = (-4..=8).map(|n| 10_f64.powf(0.5 * f64::from(n)) / H);
     rates.flat_map(|rate| {
@@ -90,7 +87,6 @@ fn response<T: Stepper>(re: f64, im: f64) -> Vec<f64> {
 
 #[test]
 fn what_is_much_faster_than_the_step_is_gone_after_it() {
-    /// Asserts that `left` / |hλ| is left at the end, and nothing inside exceeds the start.
     fn check<T: Stepper>(left: f64) {
         for exponent in 2..=8 {
             let rate = 10_f64.powi(exponent);

@@ -36,7 +36,6 @@ pub fn expand(out: &mut Expansion<[f64; 2]>) {
     out.known_guards = 1;
 }
 
-/// Returns the largest error of an impact's time (s) in 10 s, in ticks of `h` (s), and the work.
 #[expect(clippy::large_stack_frames, reason = "a simulator on the stack of a test")]
 fn impacts(pendulum: Pendulum, tolerance: f64, h: f64) -> (f64, pode::Work) {
     let method = Taylor::to(Tolerance::both(tolerance));

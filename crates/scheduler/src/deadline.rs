@@ -53,7 +53,6 @@ impl TickTimes {
         self.turnaround().since(self.own_work())
     }
 
-    /// Returns `true` if only simulated keys made the tick late.
     pub const fn is_late_by_simulated_keys(&self) -> bool {
         let slack = self.deadline.since(self.due).as_u64();
         slack < self.work.as_u64() && self.own_work().as_u64() <= slack
@@ -63,11 +62,8 @@ impl TickTimes {
 /// Cause of a missed deadline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MissCause {
-    /// The voices took longer than a tick.
     OwnWork,
-    /// The system woke the tick's thread too late.
     WokenLate,
-    /// The system took the processor away during the tick.
     Preempted,
 }
 
@@ -159,7 +155,6 @@ mod tests {
 
     const SLACK: u64 = 10;
 
-    /// Returns a tick due at `due`, woken `late` after that, with work and stolen time.
     fn tick(due: u64, late: u64, work: u64, stolen: u64) -> TickTimes {
         TickTimes {
             due: Nanos::new(due),

@@ -5,9 +5,7 @@
 
 pub use keyboard::KEYS;
 
-/// Point in model time: a whole tick and a fraction of it.
-///
-/// It is never a sum of steps, so hours of ticks lose nothing.
+/// Point in model time: a whole tick and a fraction of it, never a sum of steps.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug, Default)]
 pub struct Moment {
     pub tick: u64,
@@ -31,8 +29,7 @@ pub struct KeySample {
     pub velocity: Option<f64>,
     /// Ticks since it arrived, or since it was taken if its transport took too long; 0 is fresh.
     pub age: u32,
-    /// Ticks since it was taken, less the usual transport time: the age, unless this sample was
-    /// later or earlier than others.
+    /// Ticks since it was taken, less the usual transport time: the age of a usual sample.
     pub taken: f64,
 }
 
@@ -50,7 +47,6 @@ impl KeySample {
 }
 
 /// Continuation of the force on a key around the point for which it was computed.
-///
 /// F + stiffness (position − s) + damping (velocity − s'), until the next force arrives.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct KeySlope {
@@ -116,7 +112,6 @@ pub enum KeyEvent {
         /// Key-front speed upwards when it fell (m/s).
         speed: f64,
     },
-    /// The force that holds the key down changed.
     Pressure {
         /// 0 (none) to 127.
         value: u8,

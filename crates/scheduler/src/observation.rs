@@ -4,9 +4,7 @@
 use crate::motion::KEYS;
 
 /// Most entries of a state.
-///
-/// Guards and outputs are computed from the shown state, so it is never cut: the builder of a
-/// voice rejects a model that has more.
+/// Never cut, since guards and outputs are computed from it: a builder rejects larger models.
 pub const MAX_STATES: usize = 32;
 
 /// Changes of mode of one tick that can be shown; more are counted, not kept.
@@ -36,7 +34,6 @@ impl FollowedKeys {
         self.all >> key & 1 == 1
     }
 
-    /// Returns `true` if `key` is followed and its voice was not observed yet.
     #[inline]
     pub const fn is_new(self, key: usize) -> bool {
         self.new >> key & 1 == 1
@@ -55,8 +52,7 @@ pub struct VoiceObservation {
 }
 
 impl VoiceObservation {
-    /// Notes a tick after which the voice was not observed: the model is unchanged and no mode
-    /// changed.
+    /// Notes an unobserved tick: the model is unchanged and no mode changed.
     pub const fn pass(&mut self, ran: u32) {
         self.ran = ran;
         self.switches.clear();
@@ -68,8 +64,7 @@ impl VoiceObservation {
 pub struct ModelSnapshot {
     /// Number of the voice among all voices of a run; 0 for a key without a voice.
     pub revision: u32,
-    /// Mode: the index of the structural one in the model's list in the low 8 bits, the state of
-    /// the contacts above them.
+    /// Mode: index of the structural mode in the low 8 bits, state of the contacts above them.
     pub mode: u64,
     /// State, in the model's order; 0 behind its end.
     pub state: [f64; MAX_STATES],
@@ -142,7 +137,6 @@ impl Switches {
         &self.list[..usize::from(self.n)]
     }
 
-    /// Returns the number of changes that did not fit.
     pub const fn dropped(&self) -> u8 {
         self.dropped
     }

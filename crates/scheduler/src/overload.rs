@@ -20,10 +20,8 @@ use crate::time::Period;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Simplification {
     Telemetry,
-    /// Course of the forces between two ticks.
     Slopes,
     Rest,
-    /// Accuracy of methods with fixed steps, which become twice as long.
     Steps,
     Fidelity,
 }
@@ -88,8 +86,7 @@ pub struct OverloadRules {
     pub above: f64,
     /// Load below which the last one is removed.
     pub below: f64,
-    /// Evaluations of derivatives and guards that all voices together may take in a tick; without a
-    /// number only the processor's time counts.
+    /// Evaluations of derivatives and guards for all voices in a tick; `None`: only time counts.
     pub evaluations: Option<u32>,
 }
 
@@ -138,7 +135,6 @@ pub struct OverloadController {
     calm: f64,
     /// Time of low load before one is removed (s).
     patience: f64,
-    /// `true` if the last change removed one.
     has_fallen: bool,
 }
 
@@ -176,7 +172,6 @@ impl OverloadController {
         }
     }
 
-    /// Decides the simplifications of the next tick, from what was noted of the last one.
     pub fn decide(&mut self) -> Simplifications {
         let part = (self.h / SPAN).min(1.0);
         self.load += part * (self.last.min(MOST) - self.load);

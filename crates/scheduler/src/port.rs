@@ -8,13 +8,10 @@ use crate::voice::VoiceOutput;
 
 /// The motors and sensors of all keys.
 pub trait KeyBus {
-    /// Writes the newest sample of every key, as of the start of `tick`.
-    ///
-    /// A key that has no new sample keeps its old one with its age counted up.
+    /// Writes every key's newest sample at the start of `tick`; an old one counts up its age.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
 
     /// Sends the forces of `tick` (N, up positive), and their slopes until the next.
-    ///
     /// A bus with motors that hold their force ignores the slopes.
     fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]);
 
@@ -27,7 +24,6 @@ pub trait KeyBus {
 /// Workers that run the voices.
 pub trait Lanes {
     /// Runs every voice and writes its turn, and its observation if its key is followed.
-    ///
     /// A voice of a late lane has its previous force held, marked late.
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>);
 }
@@ -62,7 +58,6 @@ pub trait TickObserver {
         FollowedKeys::NONE
     }
 
-    /// Receives a finished tick.
     fn observe(&mut self, seen: &FinishedTick<'_>);
 }
 

@@ -11,7 +11,6 @@ use crate::work::{TurnLimit, VoiceKind};
 const OCTAVE: usize = 12;
 
 /// Returns the lane that runs `key` when there are `n_lanes`.
-///
 /// Neighbours and octaves are on different lanes, since hands play chords and a chord should not
 /// load one lane. Lanes differ by a few keys at most.
 ///
@@ -26,7 +25,6 @@ pub const fn lane_of(key: usize, n_lanes: usize) -> usize {
 const MAX_FAULTS: u32 = 3;
 
 /// Failed turns of a voice.
-///
 /// Each failed turn counts, whatever lies between: a voice that fails in every turn costs its
 /// neighbours most, and one that alternates between fault and recovery is felt as a buzz.
 #[derive(Clone, Copy, Debug, Default)]
@@ -38,7 +36,6 @@ struct Lockout {
 
 impl Lockout {
     /// Counts a turn that came `passed` ticks of 1/`hz` (s) after the previous one.
-    ///
     /// A failing sensor does not count as a fault of the voice, which returns with the sensor.
     fn note(&mut self, fault: Option<VoiceFault>, passed: u32, hz: u32) {
         self.level = self.level.saturating_sub(passed);
@@ -74,7 +71,6 @@ pub struct Slot<V> {
     voice: V,
     /// `true` if the voice must be reset before its next tick.
     fresh: bool,
-    /// `true` if the voice was retuned since its last tick.
     retuned: bool,
     lockout: Lockout,
     /// `true` if the damper is off the string, as far as was reported.
@@ -86,13 +82,11 @@ pub struct Slot<V> {
     told_ran: u32,
     rules: TickRules,
     limit: SlotLimit,
-    /// Rules that were sent to the voice last.
     told: Option<TurnRules>,
     kind: Option<VoiceKind>,
     last_turn: LastTurn,
 }
 
-/// Last turn that a voice ran.
 #[derive(Clone, Copy, Debug, Default)]
 struct LastTurn {
     /// Force (N), held while the voice waits.
@@ -143,14 +137,12 @@ impl<V> Slot<V> {
         self.key
     }
 
-    /// Returns the ticks before `tick` in which the voice was run, as [`VoiceObservation::ran`] has
-    /// them for a late turn with no run under way.
+    /// Returns the ticks before `tick` with runs, as in [`VoiceObservation::ran`] of a late turn.
     pub fn ran_before(&self, tick: u64) -> u32 {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         self.ran.checked_shl(passed).unwrap_or(0) | 1
     }
 
-    /// Replaces the voice and returns the old one.
     pub const fn replace(&mut self, voice: V) -> V {
         self.fresh = true;
         self.lockout = Lockout { level: 0, muted: false };
@@ -175,7 +167,6 @@ impl<V: Voice> Slot<V> {
     }
 
     /// Changes the voice's values; returns `false` if the voice is of another model or panicked.
-    ///
     /// A retuned voice continues from its state with a fresh force; a muted one restarts at rest.
     ///
     /// # Real-time
@@ -212,7 +203,6 @@ impl<V: Voice> Slot<V> {
         (self.rules, self.limit) = (rules, SlotLimit::Recorded(limit));
     }
 
-    /// Sends the voice those of its rules that changed.
     fn tell(&mut self) {
         let told = self.told.map(|told| told.limit);
         let limit = match self.limit {
@@ -234,12 +224,10 @@ impl<V: Voice> Slot<V> {
         }
     }
 
-    /// Runs the voice for `tick`; a force that is not finite becomes a fault.
-    ///
-    /// A voice that failed is reset at the next sample with a fresh force; one that generated
-    /// energy or fails repeatedly is muted. A key without samples for half a second has no turns
-    /// and resumes as after a fault. The damper of a key that failed or has no samples falls, so
-    /// its note ends.
+    /// Runs the voice for `tick`; a force that is not finite becomes a fault. A voice that failed
+    /// is reset at the next sample with a fresh force; one that generated energy or fails
+    /// repeatedly is muted. A key without samples for half a second has no turns and resumes as
+    /// after a fault. The damper of a key that failed or has no samples falls, so its note ends.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         self.told_ran = self.ran_before(tick);
@@ -294,8 +282,7 @@ impl<V: Voice> Slot<V> {
         }
     }
 
-    /// Updates the damper of a voice that restarts or does not play: it falls unless `turn` reports
-    /// it off the string.
+    /// Updates the damper of a voice that restarts or rests: it falls unless `turn` has it lifted.
     fn begin_damper(&mut self, tick: u64, turn: &mut VoiceOutput) {
         let was_lifted = core::mem::take(&mut self.lifted);
         self.follow_damper(turn);

@@ -22,7 +22,6 @@ pub struct TickReport {
 }
 
 /// Runs all keys, one tick at a time.
-///
 /// A scheduler owns all memory of a tick: [`SCHEDULER_KB`] where pointers have 64 bits.
 #[derive(Debug)]
 pub struct Scheduler {
@@ -47,8 +46,7 @@ const _: () = {
 };
 
 impl Scheduler {
-    /// Returns a scheduler with its first tick due at the timetable's start, and forces that change
-    /// by at most `slew` (N/s) towards a voice.
+    /// Returns a scheduler that begins at the timetable's start, with `slew` (N/s) towards a voice.
     #[expect(
         clippy::large_stack_frames,
         clippy::large_stack_arrays,
@@ -81,12 +79,10 @@ impl Scheduler {
         self.overload.note_load(work.as_secs_f64() / self.timetable.period().as_secs_f64());
     }
 
-    /// Runs the newest tick that is due at `now`, if it has not been run yet.
-    ///
-    /// Reads no clock, sleeps, allocates and locks nothing; bounded by what the ports promise. A
-    /// tick whose successor is due as well is skipped, never run to catch up: no voice sees its
-    /// number, due times do not move, and every key treats the gap as an outage (see
-    /// [`crate::safety`]).
+    /// Runs the newest tick that is due at `now`, if it has not been run yet. Reads no clock,
+    /// sleeps, allocates and locks nothing; bounded by what the ports promise. A tick whose
+    /// successor is due as well is skipped, never run to catch up: no voice sees its number, due
+    /// times do not move, and every key treats the gap as an outage (see [`crate::safety`]).
     pub fn poll(
         &mut self,
         now: Nanos,

@@ -33,7 +33,6 @@ impl Nanos {
         self.0
     }
 
-    /// Returns the span in seconds (s).
     pub const fn as_secs_f64(self) -> f64 {
         self.0 as f64 * 1e-9
     }
@@ -65,12 +64,10 @@ impl Period {
         if 0 < tick_hz && tick_hz <= MAX_TICK_HZ { Some(Self { hz: tick_hz }) } else { None }
     }
 
-    /// Returns the rate (1/s).
     pub const fn hz(self) -> u32 {
         self.hz
     }
 
-    /// Returns the period (s).
     pub fn as_secs_f64(self) -> f64 {
         1.0 / f64::from(self.hz)
     }

@@ -13,18 +13,14 @@ pub const MAX_EVENTS_PER_TURN: usize = 8;
 
 /// A voice: sample in, force out, once a tick.
 pub trait Voice {
-    /// Runs one tick and writes what it did to `turn`, in which nothing has happened yet.
-    ///
-    /// `tick` is absolute. It usually grows by one, but a tick that the host skipped is never
-    /// run, so it may jump: a voice measures elapsed time by the difference of tick numbers.
+    /// Runs one tick into `turn`, which is empty. `tick` is absolute and jumps over skipped ticks:
+    /// a voice measures elapsed time by the difference of tick numbers.
     ///
     /// # Real-time
     /// Bounded by the voice's own declared work; no heap, lock or clock.
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput);
 
-    /// Writes what the model is like after the last tick, and its changes of mode in that tick.
-    ///
-    /// A voice that shows nothing leaves `seen` as it is.
+    /// Writes the model's state after the last tick and its mode changes; may leave `seen` as is.
     ///
     /// # Real-time
     /// Copies numbers.
@@ -33,7 +29,6 @@ pub trait Voice {
     }
 
     /// Sets the rules of the turns from the next tick on; [`TurnRules::FREE`] hold at first.
-    ///
     /// A simplification leaves no step in the force, which is computed from the same state. A voice
     /// with turns that are all alike may ignore the limit.
     ///
@@ -51,8 +46,7 @@ pub trait Voice {
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
     fn reset(&mut self, sample: &KeySample);
 
-    /// Builds its model anew from `values` and keeps the state that it is in; says whether it
-    /// could, which a voice of another model cannot.
+    /// Rebuilds the model from `values` and keeps the state; `false` for values of another model.
     ///
     /// # Real-time
     /// Arithmetic on the values; no heap, lock or clock.
@@ -60,8 +54,7 @@ pub trait Voice {
         false
     }
 
-    /// Goes on where `before` is, the voice whose place it takes; says whether it could, which one
-    /// that knows nothing of the other, or has no mode like its, cannot: it is reset then.
+    /// Takes over the state of `before`; `false` if they share no mode: the scheduler resets it.
     ///
     /// # Real-time
     /// Copies what both have by the same names; no heap, lock or clock.
@@ -100,10 +93,8 @@ pub struct VoiceOutput {
     pub force: f64,
     /// How the force goes on until the next tick; by default it is held.
     pub slope: KeySlope,
-    /// What happened to the note.
     pub events: Events,
     pub work: VoiceWork,
-    /// Why the force cannot be trusted, if so.
     pub fault: Option<VoiceFault>,
     /// The voice was at rest and skipped its equations.
     pub idle: bool,
@@ -111,13 +102,11 @@ pub struct VoiceOutput {
     pub late: bool,
     /// The voice had to wait, since its lane had no time left.
     pub waited: bool,
-    /// First turn after the voice was put in, reset or retuned: its force is unrelated to the
-    /// last one.
+    /// First turn after the voice was put in, reset or retuned: its force is unrelated to the last.
     pub fresh: bool,
     /// Units of work to which a turn was limited that is [`VoiceFault::Capped`] by that; 0 of others.
     pub limit: u32,
-    /// The same of the turn that came too late for an earlier tick and whose events are passed on
-    /// here.
+    /// Like `limit`, for the turn that came too late for an earlier tick and has its events here.
     pub late_limit: u32,
 }
 
@@ -137,10 +126,7 @@ impl VoiceOutput {
         self.fault = Some(fault);
     }
 
-    /// Becomes what stands in for the next turn when the lane is not done: the same force, marked
-    /// late.
-    ///
-    /// Events and work are left behind, since they have been counted once already.
+    /// Becomes the turn of a late lane: the same force, marked late; its events were counted.
     pub const fn hold(&mut self) {
         let (force, idle) = (self.force, self.idle);
         self.begin();
@@ -153,8 +139,7 @@ impl VoiceOutput {
         (self.force, self.late, self.waited) = (force, true, true);
     }
 
-    /// Returns whether the voice ran its equations: it did not rest, its lane was in time, and
-    /// nothing kept it from being called.
+    /// Returns `true` if the voice ran its equations: it did not rest, was in time, and was called.
     pub const fn was_run(&self) -> bool {
         let is_kept = matches!(
             self.fault,
@@ -163,8 +148,7 @@ impl VoiceOutput {
         !(self.idle || self.late || is_kept)
     }
 
-    /// Returns whether the voice of `key` is to be looked at after this turn: if it was run, so
-    /// that it is not as it was, or if it was not seen yet.
+    /// Returns `true` if the voice of `key` is followed and was run, or was not seen yet.
     #[inline]
     pub const fn is_seen(&self, key: usize, followed: FollowedKeys) -> bool {
         followed.contains(key) && (self.was_run() || followed.is_new(key))
@@ -176,7 +160,6 @@ impl VoiceOutput {
 pub struct VoiceWork {
     /// Work in the voice's own unit, whose cost is measured, as [`crate::work`] describes.
     pub units: u32,
-    /// Evaluations of the derivative.
     pub derivatives: u32,
     pub guards: u32,
     pub events: u32,
@@ -187,7 +170,6 @@ pub struct VoiceWork {
 }
 
 impl VoiceWork {
-    /// No work at all.
     pub const NONE: Self =
         Self { units: 0, derivatives: 0, guards: 0, events: 0, certain: 0, unknown: 0 };
 
@@ -197,7 +179,6 @@ impl VoiceWork {
         self.derivatives.saturating_add(self.guards)
     }
 
-    /// Returns the sum of both.
     #[must_use]
     #[inline]
     pub const fn plus(self, other: Self) -> Self {
@@ -211,7 +192,6 @@ impl VoiceWork {
         }
     }
 
-    /// Returns the larger of each count.
     #[must_use]
     #[inline]
     pub fn largest(self, other: Self) -> Self {
@@ -229,9 +209,7 @@ impl VoiceWork {
 /// Why a voice could not produce a force; small, `Copy`, and free of text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum VoiceFault {
-    /// The state or the readout left the set of finite numbers.
     NotFinite,
-    /// The sample was not a finite number.
     BadSample,
     /// A cap on events, cascades or work was reached; the model was held.
     Capped {
@@ -244,8 +222,7 @@ pub enum VoiceFault {
     Panicked,
     /// The voice gave back more energy than was put into it; it is muted.
     MakesEnergy,
-    /// The voice made energy, or failed again and again; it is not called until its values are
-    /// changed or another voice is put in.
+    /// The voice made energy or failed repeatedly; other values or another voice revive it.
     Muted,
 }
 
@@ -271,7 +248,6 @@ impl PartialEq for Events {
 }
 
 impl Events {
-    /// Removes every event of the list.
     pub const fn clear(&mut self) {
         (self.n, self.dropped) = (0, 0);
     }
@@ -304,13 +280,11 @@ impl Events {
         &self.list[..self.n]
     }
 
-    /// Returns how many of them are strikes.
     pub fn strikes(&self) -> usize {
         let is_strike = |it: &&(Moment, KeyEvent)| matches!(it.1, KeyEvent::Strike { .. });
         self.as_slice().iter().filter(is_strike).count()
     }
 
-    /// Returns how many did not fit.
     pub const fn dropped(&self) -> u32 {
         self.dropped
     }

@@ -8,8 +8,7 @@
 /// Kinds of voices whose costs are known at once.
 pub const MAX_KINDS: usize = 16;
 
-/// Lowest cost of a unit (ns), assumed before any is measured and in virtual time: an evaluation
-/// of the cheapest action.
+/// Lowest cost of a unit (ns), assumed before measurements and in virtual time: a cheap evaluation.
 pub const NOMINAL_UNIT_NS: f64 = 10.0;
 
 /// Fraction of a lane's time that a turn may take, where [`TurnLimit`] is strict.
@@ -42,7 +41,6 @@ impl TurnLimit {
 
     /// Returns the limit of a voice without recent failures that may take `units` by its lane's
     /// time, in a tick of 1/`hz` (s).
-    ///
     /// The hardest strokes of the default action take up to 200 units at 1 kHz, a fifth of them in
     /// the first quarter of the tick. On a slow processor that is more than a tenth of a lane's
     /// time, and no stroke may be cut off: there the limit is strict for the first quarter only.
@@ -120,7 +118,6 @@ impl LaneClock for NoClock {
 }
 
 /// Time of a lane in one tick, spent by the costs of what its voices do.
-///
 /// The lane reads the clock where half of the time is spent by the costs, and then whenever half
 /// of the time left then is spent. A lane with little to do never reads the clock.
 #[derive(Debug)]
@@ -135,11 +132,9 @@ pub struct LaneBudget<'a, C> {
     spent: f64,
     /// Longest time of a turn (ns).
     turn: f64,
-    /// Kind that was priced last.
     priced: Option<(VoiceKind, TurnPrice)>,
 }
 
-/// Price of a voice's turn.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct TurnPrice {
     /// Cost of a unit (ns), if it is known.
@@ -194,7 +189,6 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
     }
 
     /// Reads the clock and grants half of the time left, if a turn of `units` fits into it.
-    ///
     /// The clock is right: if the tick took less than its costs so far, the turn will as well. No
     /// turn takes more than its limit.
     #[cold]

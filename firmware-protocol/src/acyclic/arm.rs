@@ -42,8 +42,7 @@ pub const LONGEST_VALID_MS: u8 = 100;
 pub const VALID_MS: u8 = 20;
 /// Time in which expired forces fade (ms).
 pub const FADE_MS: u8 = 10;
-/// Time for which the reference point of an extrapolated force moves (us), see
-/// [`crate::frame::key_forces`].
+/// Time for which an extrapolated force's reference moves (us), see [`crate::frame::key_forces`].
 pub const PATH_US: u16 = 2_000;
 /// Number of sample frames that a board remembers for forces to answer.
 pub const HISTORY: usize = 64;

@@ -1,5 +1,4 @@
-//! A simulated board's finger, with which a pianist can play over a real link. A real board
-//! answers that the operation is impossible.
+//! A simulated board's finger, played over a real link; real boards answer that it is impossible.
 
 record! {
     /// A gesture on one key; it is appended to the waiting ones.

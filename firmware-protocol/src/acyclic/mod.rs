@@ -192,8 +192,7 @@ impl<'a> AcyclicReply<'a> {
     }
 }
 
-/// Encodes a reply of `board` to the request `id`; returns its length. `operation` is the
-/// requested number, known or not.
+/// Encodes a reply to the request `id` with its `operation`, known or not; returns the length.
 pub fn encode_reply<R: Record>(
     board: BoardId,
     id: u8,

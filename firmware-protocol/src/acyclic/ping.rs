@@ -8,6 +8,5 @@ record! {
     }
 }
 
-/// Largest accepted drift of a board's clock in either direction (1e-6): untrimmed RC oscillators
-/// keep within it.
+/// Largest accepted drift of a board's clock (1e-6), either way: within it are untrimmed RC clocks.
 pub const CLOCK_TOLERANCE_PPM: u32 = 30_000;

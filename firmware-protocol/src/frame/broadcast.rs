@@ -38,10 +38,7 @@ pub enum Broadcast {
         host_us: u32,
     },
     /// Requests a hello from every board.
-    WhoIsThere {
-        /// Version of the host.
-        version: ProtocolVersion,
-    },
+    WhoIsThere { version: ProtocolVersion },
 }
 
 impl Broadcast {

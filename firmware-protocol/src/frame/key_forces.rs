@@ -37,7 +37,6 @@ pub const MAX_LEN: usize = MAX_FRAME;
 pub enum ForcePacking {
     #[default]
     Force16 = 0,
-    /// The force and its slopes.
     Force16Slope = 1,
     /// The force, held, in frames for all boards: [`super::multicast_forces`].
     Multicast16 = 2,
@@ -112,8 +111,7 @@ impl KeyForces {
         })
     }
 
-    /// Writes the frame, with slopes if there are any, and zeros after it; returns its length
-    /// without the zeros.
+    /// Writes the frame, slopes if any, and zeros; returns its length without the zeros.
     pub fn encode(&self, bytes: &mut [u8; MAX_LEN]) -> usize {
         let packing = self.packing();
         let (start, rest) = bytes.split_at_mut(HEADER_LEN);

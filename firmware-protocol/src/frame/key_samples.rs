@@ -54,7 +54,6 @@ impl SamplePacking {
         HEADER_LEN + n_keys * self.key_len()
     }
 
-    /// Returns `true` if positions have only 16 bits.
     const fn is_short(self) -> bool {
         matches!(self, Self::Position16 | Self::Position16Velocity)
     }
@@ -99,9 +98,7 @@ impl KeySamples {
         Ok(Self { header, positions, velocities })
     }
 
-    /// Writes the frame and zeros after it; returns its length without them.
-    ///
-    /// A missing velocity is written as 0.
+    /// Writes the frame and zeros, 0 for a missing velocity; returns its length without zeros.
     pub fn encode(&self, packing: SamplePacking, bytes: &mut [u8; MAX_LEN]) -> usize {
         let (start, rest) = bytes.split_at_mut(HEADER_LEN);
         rest.fill(0);

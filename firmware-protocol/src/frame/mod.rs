@@ -87,8 +87,7 @@ pub struct Header {
     pub sequence: SequenceNumber,
     /// Board time of the samples (us).
     pub stamp_us: u16,
-    /// From a board: it renders no forces, for the reason in its hello. From the host: render no
-    /// force.
+    /// From a board: it renders no forces, see its hello. From the host: render no force.
     pub flag: bool,
 }
 
@@ -136,8 +135,7 @@ pub(crate) fn check_padding(bytes: &[u8]) -> Result<(), DecodeError> {
 }
 
 impl Header {
-    /// Decodes the header of a cyclic frame of `kind`; returns it with exactly `len` bytes of
-    /// values, after a check that only padding follows.
+    /// Decodes the header of a cyclic frame of `kind`, and `len` bytes of values before padding.
     fn decode(bytes: &[u8], kind: FrameKind, len: usize) -> Result<(Self, &[u8]), DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let (head, rest) = bytes.split_first_chunk::<{ field::HEADER_LEN }>().ok_or(length)?;

@@ -25,9 +25,7 @@ pub struct TooLong {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FramingError {
     TooLong,
-    /// The stuffing points outside the frame.
     Stuffing,
-    /// The checksum is different or missing.
     Checksum,
 }
 
@@ -61,10 +59,8 @@ impl Default for Deframer {
 }
 
 impl Deframer {
-    /// Accepts the next byte; returns a frame after its last byte.
-    ///
-    /// An error ends at the zero that reports it; the next byte starts afresh. Zeros without bytes
-    /// between them are ignored.
+    /// Accepts the next byte; returns a frame after its last byte. An error ends at the zero that
+    /// reports it; the next byte starts afresh. Zeros without bytes between them are ignored.
     pub fn push(&mut self, byte: u8) -> Option<Result<&[u8], FramingError>> {
         if byte != END {
             self.keep(byte);

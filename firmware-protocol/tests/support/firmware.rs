@@ -77,7 +77,6 @@ impl Drop for Board {
 }
 
 impl Board {
-    /// Starts a board; prints a line and returns `None` if the tools are missing.
     pub(crate) fn start(name: &str) -> Option<Self> {
         static ELF: OnceLock<Option<PathBuf>> = OnceLock::new();
         let elf = ELF.get_or_init(|| are_there(&TOOLS).then(|| build(1))).as_ref()?;
@@ -169,7 +168,6 @@ impl Board {
         self.frames.remove(at)
     }
 
-    /// Repeats the request for an introduction until the board answers.
     pub(crate) fn introduction(&mut self) -> Introduction {
         let end = Instant::now() + PATIENCE;
         while Instant::now() < end {
@@ -183,7 +181,6 @@ impl Board {
         panic!("the board never said hello");
     }
 
-    /// Sends a request with this number, and waits for its answer.
     pub(crate) fn ask_with_id<R: Record>(
         &mut self,
         id: u8,
@@ -212,7 +209,6 @@ impl Board {
         self.ask_with_id(self.next_id, operation, record)
     }
 
-    /// Returns the next reply, whatever its status.
     pub(crate) fn raw_reply(&mut self) -> Vec<u8> {
         let any = |frame: &[u8]| Some(frame.to_vec());
         self.next(FrameKind::Reply, PATIENCE, any).expect("a reply")
@@ -243,7 +239,6 @@ impl Board {
         self.ask(Operation::Arm, &arm).0
     }
 
-    /// Disarms, and arms for the maximum time.
     pub(crate) fn arm(&mut self, packing: ForcePacking) {
         let nonce = self.disarm();
         assert_eq!(self.arm_with(nonce, packing, 100), Status::Done);

@@ -21,7 +21,6 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use crate::tools::{STRICT, are_there, crate_root, run, scratch};
 
 pub(crate) const KEYS: usize = 4;
-/// Period of the samples and of the host (us).
 pub(crate) const TICK_US: u64 = 1_000;
 /// The host's time when the board is switched on (us).
 pub(crate) const START_US: u64 = 7_000_000;
@@ -29,7 +28,6 @@ pub(crate) const START_US: u64 = 7_000_000;
 const RETRY_TICKS: u32 = 60;
 const PATIENCE_TICKS: u32 = 600;
 
-/// Answer to samples: forces (mN) in the order of the slots.
 pub(crate) type Law = fn(&KeySamples) -> [i32; KEYS];
 
 pub(crate) fn readme() -> String {
@@ -119,7 +117,6 @@ impl Rig {
         rig
     }
 
-    /// Sends the pending bytes, advances the time by `us`, and reads the arrivals.
     fn exchange(&mut self, us: u64) {
         self.now_us += us;
         let len = u16::try_from(self.outgoing.len()).expect("few bytes in an exchange");
@@ -168,7 +165,6 @@ impl Rig {
         }
     }
 
-    /// Repeats a request until it is answered; returns the answer's status and record, if any.
     pub(crate) fn try_ask<R: Record>(
         &mut self,
         operation: Operation,
@@ -204,7 +200,6 @@ impl Rig {
         A::take(&record).expect("its record")
     }
 
-    /// Requests samples and arms the board; `law` answers its samples from now on.
     pub(crate) fn arm(&mut self, law: Law) -> Status {
         let period_us = u16::try_from(TICK_US).expect("a period");
         let packing = SamplePacking::Position24Velocity as u8;
@@ -225,7 +220,6 @@ impl Rig {
         self.run(ms);
     }
 
-    /// Returns all samples, with their times of arrival (us).
     pub(crate) fn samples(&self) -> Vec<(u64, KeySamples)> {
         let read = |it: &Arrival| samples(it).map(|samples| (it.at_us, samples));
         self.arrivals.iter().filter_map(read).collect()

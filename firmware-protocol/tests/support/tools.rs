@@ -26,7 +26,6 @@ fn answers(tool: &str) -> bool {
     Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
-/// Prints a line past libtest's capture, also if the test passes.
 pub(crate) fn say(line: &str) {
     let _nobody_listens = writeln!(std::io::stderr(), "{line}");
 }
@@ -39,7 +38,6 @@ pub(crate) fn scratch(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// Runs `command`; panics with its output if it fails.
 pub(crate) fn run(command: &mut Command) -> Output {
     let output = command.output().expect("the command starts");
     let said = String::from_utf8_lossy(&output.stderr);

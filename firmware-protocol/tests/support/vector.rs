@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-/// One vector: the fields of a frame, and its bytes.
 pub(crate) struct Vector {
     pub(crate) name: String,
     lines: Vec<(String, String)>,

@@ -19,7 +19,6 @@ impl ODE<f64, f64> for Clock {
     }
 }
 
-/// x' = 6 t⁵.
 struct Sixth;
 
 impl ODE<f64, f64> for Sixth {

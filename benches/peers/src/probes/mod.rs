@@ -10,7 +10,6 @@ use serde::Serialize;
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub(crate) struct Probe {
     pub(crate) code: String,
-    /// The question, the right answer, and the code's answer.
     pub(crate) seen: String,
 }
 

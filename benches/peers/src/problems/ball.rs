@@ -10,7 +10,6 @@ use crate::reference::{Expected, Reference};
 pub(crate) struct Ball {
     /// Gravity (m/s²).
     pub(crate) g: f64,
-    /// Restitution of an impact.
     pub(crate) e: f64,
     /// Height at the start (m).
     pub(crate) height: f64,
@@ -62,7 +61,6 @@ impl Problem<2, 1> for Ball {
 }
 
 impl Ball {
-    /// Returns the time of the impact `n`, counted from 1 (s).
     fn impact(&self, n: i32) -> f64 {
         let first = (2.0 * self.height / self.g).sqrt();
         first * (1.0 + 2.0 * self.e * (1.0 - self.e.powi(n - 1)) / (1.0 - self.e))
@@ -78,7 +76,6 @@ impl Ball {
         [since * (speed - 0.5 * self.g * since), speed - self.g * since]
     }
 
-    /// Computes the closed form until `t_end` (s).
     pub(crate) fn reference(&self, t_end: f64) -> Reference {
         let times: Vec<f64> =
             (1..1000).map(|n| self.impact(n)).take_while(|time| *time < t_end).collect();

@@ -12,7 +12,6 @@ const BALLS: usize = 5;
 pub(crate) struct Cradle {
     /// Square of the pendulums' angular frequency (rad²/s²).
     pub(crate) square: f64,
-    /// Restitution of an impact.
     pub(crate) e: f64,
     /// Displacement of the first ball at the start (m).
     pub(crate) pulled: f64,

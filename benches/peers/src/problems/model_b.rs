@@ -28,9 +28,7 @@ pub(crate) struct ModelB {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Mode {
-    /// B1: hammer on the key.
     Coupled,
-    /// B2: hammer in free flight.
     Apart,
 }
 
@@ -45,13 +43,11 @@ impl ModelB {
         let bells = bells.iter().enumerate().map(|(i, value)| (format!("bell{i}"), *value));
         let rest = self.rest.iter().enumerate().map(|(i, value)| (format!("rest{i}"), *value));
         for (name, value) in names.zip(values).chain(bells).chain(rest) {
-            // Writing to a string cannot fail.
             let _ = writeln!(lines, "{name} {value:?}");
         }
         lines
     }
 
-    /// Returns the manipulandum's angle (rad).
     #[inline]
     pub(crate) fn input(&self, t: f64) -> f64 {
         self.bells.iter().fold(0.0, |sum, [a, tc, per_w]| {
@@ -68,7 +64,6 @@ impl ModelB {
         l4 * cos - l3 * sin - l1 * (x[1] - x[0]).sin()
     }
 
-    /// Returns the rate of the gap (m/s).
     #[inline]
     fn gap_rate(&self, x: &[f64; 4]) -> f64 {
         let [l1, _, l3, l4] = self.l;

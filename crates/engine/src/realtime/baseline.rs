@@ -1,5 +1,4 @@
 //! Bare timer thread, to compare the tick with.
-//!
 //! It runs beside the tick, with the same period and priority, between the tick's due times.
 //! Lateness in both is due to the machine; lateness only in the tick is due to this program.
 
@@ -74,7 +73,6 @@ impl Baseline {
     }
 }
 
-/// Records at least one wake-up, until `stop` is set.
 fn measure(
     timetable: Timetable,
     mut lateness: Histogram<u64>,

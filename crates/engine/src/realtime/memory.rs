@@ -64,8 +64,7 @@ fn may_lock_without_limit() -> bool {
     unlimited || capable
 }
 
-/// Touches 256 KiB of stack below the caller, so that the kernel maps them now. Each thread that
-/// ticks calls it once; locked pages then stay.
+/// Touches 256 KiB of stack below the caller, once in each thread that ticks: locked pages stay.
 #[inline(never)]
 #[expect(
     clippy::large_stack_frames,

@@ -148,8 +148,7 @@ pub fn histogram() -> Result<Histogram<u64>, CreationError> {
     Histogram::new_with_bounds(1, LONGEST, DIGITS)
 }
 
-/// Returns a scheduler on the heap, since it is large, with forces that change by at most `slew`
-/// (N/s) towards a voice; not for the tick.
+/// Returns a scheduler on the heap with slew limit `slew` (N/s) towards a voice; not for the tick.
 #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
 pub fn scheduler(timetable: Timetable, slew: f64) -> Box<Scheduler> {
     Box::new(Scheduler::new(timetable, slew))
@@ -207,7 +206,6 @@ fn tick<B: KeyBus, O: TickObserver>(
     Some((report, TickTimes { due, deadline, woken, finished, work, simulated }))
 }
 
-/// Returns the limit for lanes, whose forces must be out by `deadline`.
 const fn patience(timetable: Timetable, deadline: Nanos) -> WaitLimit {
     let period = timetable.period().span(1);
     let reserve = Nanos::new(period.as_u64() / pool::RESERVE);

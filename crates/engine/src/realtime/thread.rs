@@ -35,8 +35,7 @@ pub enum WantedPolicy {
     Ordinary,
     /// `SCHED_FIFO` at this priority, in `1 ..= 99`.
     Fifo(u8),
-    /// `SCHED_DEADLINE`: `runtime` of every `period`; `SCHED_FIFO` where it is refused. A thread
-    /// with this policy cannot start others.
+    /// `SCHED_DEADLINE`, else `SCHED_FIFO`: `runtime` of every `period`, without child threads.
     Deadline { runtime: Nanos, period: Nanos },
 }
 
@@ -121,8 +120,7 @@ fn try_deadline(runtime: Nanos, period: Nanos) -> Result<(), String> {
         flags: DeadlineFlags::empty(),
     };
     let deadline = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Deadline);
-    // The library hands this number to the kernel, for which 0 is the calling thread; its own
-    // number of a thread is one of the C library.
+    // The kernel takes 0 for the calling thread; the library's own number is one of the C library.
     set_thread_priority_and_policy(0, wanted, deadline).map_err(|_minus_one| {
         "SCHED_DEADLINE was refused, so SCHED_FIFO is asked for; no limit of a user allows it, so \
          give the program the capability (`sudo setcap cap_sys_nice,cap_ipc_lock+ep <letoff>`), \
@@ -162,7 +160,6 @@ mod tests {
 
     use super::*;
 
-    /// Returns the policy granted to a new thread, which may really become a real-time thread.
     fn granted(policy: WantedPolicy, cpus: &[usize], lane: usize) -> SchedulingPolicy {
         let plan = ThreadPlan { policy, cpus: cpus.to_vec() };
         std::thread::spawn(move || plan.ask(lane)).join().unwrap()

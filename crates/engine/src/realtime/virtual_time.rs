@@ -1,7 +1,5 @@
 //! Ticks without waiting: each runs at its due time in virtual time.
-//!
-//! Lanes are waited for without limit, so the outcome depends on no clock, and has the same bits
-//! with any number of lanes.
+//! Lanes are awaited without limit: the same bits whatever the clock and the number of lanes.
 
 use scheduler::port::{KeyBus, TickObserver};
 use scheduler::safety::FADE;

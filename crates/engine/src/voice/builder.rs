@@ -52,7 +52,6 @@ pub struct VoiceBuilder<'a> {
 }
 
 impl<'a> VoiceBuilder<'a> {
-    /// Returns a builder for `scene`, on the scene's rig.
     pub fn new(scene: &'a Scene) -> Result<Self, BuildError> {
         let period = Period::from_hz(scene.tick_hz).ok_or(BuildError::Rate(scene.tick_hz))?;
         Ok(Self { scene, period, rig: scene.rig.parameters() })
@@ -244,7 +243,6 @@ mod tests {
 
     use super::*;
 
-    /// Forces of 300 ticks from rest, in which the key goes down and up again.
     fn forces(voice: &mut AnyVoice) -> Vec<u64> {
         voice.reset(&KeySample::fresh(0.0));
         let position = |tick: u64| 1e-4 * (100.0 - (tick as f64 - 100.0).abs()).max(0.0);
@@ -256,13 +254,11 @@ mod tests {
         (0..300).map(force).collect()
     }
 
-    /// Position (m) of a key that is pressed to its bottom in 60 ms and held, at `tick` of 1 ms.
     fn pressed(tick: u64) -> f64 {
         let part = (tick as f64 / 60.0).min(1.0);
         9e-3 * part * part * (3.0 - 2.0 * part)
     }
 
-    /// Strikes of a pressed key with render settings that change at these ticks.
     fn strikes(renders: &[(u64, Render)]) -> usize {
         let scene = Scene::load(&Library::default(), "springs", &[]).unwrap();
         let key = scene.keys[39].as_ref().unwrap();

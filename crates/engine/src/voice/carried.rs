@@ -15,7 +15,6 @@ use crate::voice::shift::InputShift;
 #[derive(Clone, Debug)]
 pub struct KeyMemory {
     pub model: Arc<ModelParts>,
-    /// Path of samples to the model's input.
     pub input: InputPath,
     pub damper: DamperTracker,
     /// Between the player's key and the model's, if there is one.

@@ -19,8 +19,6 @@ pub struct CouplingConstants {
 /// measured accelerations: the encoder's rounding would be felt as blows. So the model's key has
 /// the model's inertia, and moves under the forces of coupling and model; the player feels the
 /// coupling. A force that is passive for the coupling's end is passive for the player.
-///
-/// # References
 /// The virtual coupling of `[CSB95]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupling {
@@ -55,7 +53,6 @@ impl Coupling {
         self.constants
     }
 
-    /// Puts the model's key at the player's, which moves as `key`.
     pub(crate) const fn place(&mut self, key: &Motion) {
         let Motion { position, rate, .. } = *key;
         *self = Self { position, rate, ..Self::new(self.constants) };

@@ -1,5 +1,4 @@
-//! Times at which a key's damper leaves the string and falls back on it. The key itself lifts it,
-//! at a height of the model.
+//! Times at which a damper leaves its string and falls back, lifted by the key at a model's height.
 
 use instruments::Damper;
 use scheduler::motion::{KeyEvent, Moment};

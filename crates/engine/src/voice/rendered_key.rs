@@ -91,14 +91,12 @@ const LONGEST_WAY: f64 = 0.02;
 #[derive(Clone, Debug)]
 pub struct VoiceSettings {
     pub input: InputPath,
-    /// Between the player's key and the model's, if there is one.
     pub coupling: Option<Coupling>,
     pub gains: Gains,
     /// Compensation of the device's own mechanics, if any.
     pub device: Option<DeviceCompensation>,
     pub gate: ForceGate,
     pub passivity: PassivityObserver,
-    /// Keeps the key passive, if present.
     pub controller: Option<PassivityController>,
     pub limits: Limits,
     pub cell: Arc<AuditCell>,
@@ -234,7 +232,6 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         (self.energy.auditor.sums.integration - before.integration).abs() <= most
     }
 
-    /// Moves a coupled model's key over the tick in which the player's moves as `key`.
     fn coupled(&mut self, key: &Cubic) -> Option<CoupledTick> {
         let scale = self.scale();
         let simulator = &self.simulator;
@@ -278,7 +275,6 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         controller.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
     }
 
-    /// Resets the energy account to the stored energy, for another action or another hand.
     fn begin_account(&mut self) {
         self.energy.passivity.reset();
         let stored = self.stored();
@@ -297,7 +293,6 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         (in_model + in_coupling) * self.constants.gains.force / self.constants.gains.motion
     }
 
-    /// Moves the model over the tick, computes its force, and judges the turn.
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let is_passive = self.energy.passivity.is_passive(tick, sample.position);
         let Followed { signal, position, late, back } = self.memory.input.follow(tick, sample);
@@ -492,7 +487,6 @@ where
     }
 }
 
-/// Converts the sounding guard to a strike, and records changes of mode.
 struct Strikes<'a> {
     tick: u64,
     events: &'a mut Events,

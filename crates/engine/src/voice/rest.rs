@@ -21,8 +21,7 @@ const STILL_SPEED: f64 = 5e-4;
 /// Rate of a speed that counts as none (m/s² or rad/s²): 0.1 mN at the finger for a hammer.
 const STILL_ACCELERATION: f64 = 2e-2;
 
-/// Detects the rest of a key and its model: the key stands still, and the model does not move, or
-/// has for long moved too little to be felt.
+/// Detects rest: the key stands still, and the model does not move, or for long not noticeably.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RestDetector<S> {
     /// Tick period (s).

@@ -1,5 +1,4 @@
-//! Slow shift of a model's key to the position that other settings, or a pause of the machine,
-//! require.
+//! Slow shift of a model's key to the position that new settings or a pause require.
 
 use pode::input::Cubic;
 use pode::{Motion, Signal as _};

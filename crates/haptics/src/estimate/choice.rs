@@ -6,11 +6,8 @@ use super::{AdaptiveWindow, BackwardDifference, Estimator, FilteredDifference, K
 pub enum EstimatorName {
     /// Kalman filter of position, velocity and acceleration.
     Kalman,
-    /// Differences of the newest positions.
     BackwardDifference,
-    /// Differences behind a low pass.
     FilteredDifference,
-    /// Differences over the positions that lie on a line.
     AdaptiveWindow,
     /// Sliding-mode differentiator, for keys of bounded jerk.
     Levant,
@@ -26,7 +23,6 @@ impl EstimatorName {
         Self::Levant,
     ];
 
-    /// Returns the name in scenes and on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Kalman => "kalman",

@@ -39,7 +39,6 @@ pub struct Kalman {
     period: f64,
     /// Displacement per period (m) below which motion is rest.
     rest: f64,
-    /// Corrections for regular samples.
     gains: KalmanGains,
     /// q T⁵ / Δ².
     ratio: f64,
@@ -390,7 +389,6 @@ mod tests {
             update(position, speed).acceleration + 5e-3 * omega * omega * phase.sin()
         };
         let errors: Vec<_> = (0..3000).map(&mut error).collect();
-        // The first second is the transient from rest.
         (errors[1000..].iter().map(|it| it * it).sum::<f64>() / 2000.0).sqrt()
     }
 

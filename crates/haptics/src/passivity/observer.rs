@@ -80,7 +80,6 @@ mod tests {
 
     const H: f64 = 1e-3;
 
-    /// Returns an observer without a leak that lets `stored` (J) return.
     fn observer(stored: f64) -> PassivityObserver {
         PassivityObserver::new(EnergyBound { stored, leak: 0.0 }, H)
     }

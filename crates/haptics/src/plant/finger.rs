@@ -104,7 +104,6 @@ impl Default for FingerParameters {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finger {
     parameters: FingerParameters,
-    /// Parameters at the present bracing.
     braced: FingerParameters,
     position: f64,
     velocity: f64,

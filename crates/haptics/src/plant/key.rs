@@ -95,7 +95,6 @@ impl KeyFront {
         (grip < net.abs()).then(|| net.signum())
     }
 
-    /// Returns the velocity after a substep in which friction acts against `direction` (m/s).
     fn sliding_velocity(&self, force: f64, direction: f64, h: f64) -> f64 {
         let constants = &self.parameters;
         let push = -(force + constants.weight + direction * constants.coulomb);
@@ -139,7 +138,6 @@ mod tests {
         KeyParameters { coulomb: 0.10, stiction: 0.12, ..free_key() }
     }
 
-    /// Returns the energy of motion, felts and load (J).
     fn energy(key: &KeyFront) -> f64 {
         let constants = &key.parameters;
         let high = (constants.rest_stop.position - key.position).max(0.0);

@@ -138,7 +138,6 @@ mod tests {
         }
     }
 
-    /// Asserts that the response to 10 N is the exponential, `delay` substeps late.
     #[track_caller]
     fn check_step_response(delay: u32) {
         let mut motor = motor(delay as usize);

@@ -100,14 +100,12 @@ impl Default for RigParameters {
     }
 }
 
-/// Source of the finger's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Playing {
     Nothing,
     /// A gesture with its start (s).
     Gesture(f64),
     Path,
-    /// Hand that holds the key, see [`KeyRig::hold`].
     Hand,
 }
 
@@ -200,7 +198,6 @@ impl KeyRig {
         self.weight = if newtons.is_finite() { newtons.max(0.0) } else { 0.0 };
     }
 
-    /// Returns the reading of the encoder.
     pub fn counts(&self) -> i32 {
         self.encoder.counts(self.key.position())
     }

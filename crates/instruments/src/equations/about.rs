@@ -28,8 +28,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.of_constants(self.table().input.per_metre)
     }
 
-    /// Returns the speed of the strike (m/s) when `guard` fires from the state `before`; `None` if
-    /// it makes no sound.
+    /// Returns the strike's speed (m/s) when `guard` fires from `before`; `None` without a sound.
     pub fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<f64> {
         let modes = self.table().modes.iter();
         let mut guards = modes.flat_map(|mode| &mode.guards).filter(|it| it.id == guard.0);
@@ -49,7 +48,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         (speed > 0.0).then_some(speed)
     }
 
-    /// Returns the conditions on the parameters that these values violate.
     pub fn unmet(&self) -> impl Iterator<Item = &RequirementTable> + '_ {
         let is_unmet = |it: &&RequirementTable| {
             let margin = self.of_constants(it.margin);
@@ -66,7 +64,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// Returns a number that depends on the constants only.
     pub(crate) fn of_constants(&self, function: FunctionId) -> f64 {
         let [value] = self.values(function, &[0.0; N], &Motion::default());
         value

@@ -78,7 +78,6 @@ struct Rates {
 impl Rates {
     /// Returns the largest rates over the poses between two at which the mode holds, with its
     /// guards positive; over these two if it holds at none.
-    ///
     /// Other poses do not count: rubbing under a force that never occurs would be the fastest.
     fn of<F: Equations + Clone, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,
@@ -110,7 +109,6 @@ impl Rates {
         rates
     }
 
-    /// Adds the rates of a Jacobian where they are faster.
     fn add<const N: usize>(&mut self, table: &ModeTable, rows: &[[f64; N]; N]) {
         let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
         self.whole = self.whole.max(fastest_once(rows, moving));

@@ -1,5 +1,4 @@
-//! Functions of expressions beyond the elementary ones: the same bits in native code and in an
-//! expression that is evaluated by itself.
+//! Functions beyond the elementary ones: the same bits in native code and when interpreted.
 
 use crate::equations::softplus::Softplus;
 
@@ -15,7 +14,6 @@ pub fn sign(x: f64) -> f64 {
 }
 
 /// Returns the smaller of two numbers; the first if one of them is NaN.
-///
 /// One instruction, with one result on every machine: `f64::min` leaves the sign of zero open.
 #[inline]
 pub fn smaller(x: f64, y: f64) -> f64 {

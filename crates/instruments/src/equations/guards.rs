@@ -90,7 +90,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Resets for EquationMo
     }
 }
 
-/// Target of a guard, without the model around the structure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Leads<const N: usize> {
     pub(crate) to: ModeNumber,
@@ -151,8 +150,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// Returns the target of an impact with restitution: a rebound, rest, or neither if the bodies
-    /// part already.
+    /// Returns the target of an impact: a rebound, rest, or neither if the bodies part already.
     fn met(
         &self,
         resting: RestingTable,

@@ -7,7 +7,6 @@ use crate::equations::natures::{MAX_MODES, ModeNatures};
 use crate::equations::table::{Arguments, Equations, FunctionId, ModeTable, ModelTable};
 
 /// A model whose equations are functions by number, with its constants in the object.
-///
 /// The state has N entries; those beyond the table's stay 0. There is room for C constants.
 #[derive(Clone, Copy, Debug)]
 pub struct EquationModel<F, const N: usize, const C: usize> {
@@ -22,9 +21,7 @@ static NOTHING: ModeTable = ModeTable::NOTHING;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DoesNotFit {
     States(usize),
-    /// More constants than C.
     Constants(usize),
-    /// More than [`MAX_MODES`] modes.
     Modes(usize),
 }
 
@@ -112,7 +109,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.constants.get(..self.table().parameters.len()).unwrap_or(&self.constants)
     }
 
-    /// Returns the parameters and the derived constants.
     pub(crate) const fn constants(&self) -> &[f64] {
         &self.constants
     }
@@ -167,7 +163,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         out
     }
 
-    /// Returns the values of a function with a whole state and one number after it.
     pub(crate) fn state_and_number(
         &self,
         function: FunctionId,

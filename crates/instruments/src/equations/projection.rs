@@ -6,7 +6,6 @@ use crate::equations::model::EquationModel;
 use crate::equations::table::{Equations, FunctionId, ModeTable};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Computes the slaved entries of the mode, and projects the state on its constraints.
     #[inline(never)]
     pub(super) fn put_in_place(&self, mode: &ModeTable, x: &mut [f64; N], input: &Motion) {
         if let Some(slaved) = mode.constraints.slaved {

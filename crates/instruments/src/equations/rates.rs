@@ -7,7 +7,6 @@ use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::EquationModel;
 use crate::equations::table::Equations;
 
-/// Rounds of the power iteration in every step.
 const ROUNDS_AT: usize = 5;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
@@ -44,12 +43,10 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// Returns a bit for each of the first `count` entries.
 fn all_of(count: usize) -> u64 {
     u64::MAX.checked_shr(u64::BITS - u32::try_from(count).unwrap_or(u64::BITS)).unwrap_or(0)
 }
 
-/// Returns the first `count` entries of `moved` with the others of `x`.
 fn moved_head<const N: usize>(x: &[f64; N], moved: &[f64; N], count: usize) -> [f64; N] {
     moved.head_of(count, x)
 }

@@ -22,7 +22,6 @@ pub(crate) enum Descent {
     Imbalance,
 }
 
-/// Maximum number of steps of one descent, rejected ones included.
 const STEPS: usize = 240;
 /// Length of the first step (s), and of one that is as good as Newton's (s).
 const FIRST: f64 = 1e-3;
@@ -101,7 +100,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
     }
 
-    /// Takes a linearly implicit step of length `dt` (s).
     fn relaxing_step(
         &self,
         table: &ModeTable,
@@ -140,8 +138,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         rates
     }
 
-    /// Returns the entry that moves by equations and changes fastest, and its rate's magnitude;
-    /// NaN if any rate is NaN.
+    /// Returns the moving entry that changes fastest, and its rate's magnitude; NaN if any rate is.
     pub(crate) fn fastest_entry(
         &self,
         table: &ModeTable,
@@ -168,7 +165,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     }
 }
 
-/// Returns `true` if no entry of the two differs by more than the fraction `part`.
 pub(crate) fn is_near<const N: usize>(x: &[f64; N], y: &[f64; N], part: f64) -> bool {
     x.iter().zip(y).all(|(x, y)| (x - y).abs() <= part * y.abs().max(0.01))
 }

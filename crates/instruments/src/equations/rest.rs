@@ -22,8 +22,7 @@ pub struct RestPose<const N: usize> {
     pub mode: ModeNumber,
     /// State at rest, or the guess if no equilibrium was found near it.
     pub state: [f64; N],
-    /// Entry of the state that changes fastest, and its rate (unit of the entry / s); `None` if the
-    /// forces balance.
+    /// Fastest entry, and its rate (unit of the entry / s); `None` if the forces balance.
     pub imbalance: Option<(usize, f64)>,
 }
 
@@ -86,7 +85,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         ModeNumber(other.map_or(rest.mode, |(_, mode)| *mode))
     }
 
-    /// Returns the equilibrium of one mode near the table's guess, or the guess.
     fn rest_in(&self, mode: ModeNumber, input: &Motion) -> RestPose<N> {
         let rest = &self.table().rest;
         let mut guess = [0.0; N];
@@ -104,7 +102,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
 
     /// Returns `true` if the pose is an equilibrium at which the mode is not over.
     fn is_valid(&self, pose: &RestPose<N>, input: &Motion) -> bool {
-        /// Rounding of a guard, in its scales.
         const TOUCHING: f64 = -1e-9;
         let mut guards =
             self.guards(pose.mode).iter().filter(|it| it.fires == Fires::WhileNegative);
@@ -114,8 +111,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             })
     }
 
-    /// Finds the equilibrium near `guess`: by Newton's method if nothing is in the way, else by
-    /// descent first.
+    /// Finds the equilibrium near `guess` by Newton's method, after a descent if something is near.
     fn balanced(&self, mode: ModeNumber, guess: &[f64; N], input: &Motion) -> Option<[f64; N]> {
         let at_once = || self.equilibrium(mode, guess, input);
         let by = |descent| {

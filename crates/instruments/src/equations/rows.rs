@@ -20,7 +20,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         *rates = rates.plus(1.0, &added);
     }
 
-    /// Returns the contribution of a closed contact to the Jacobian.
     pub(crate) fn contact_rows(
         &self,
         jacobian: Option<FunctionId>,

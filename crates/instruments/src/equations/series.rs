@@ -1,7 +1,5 @@
 //! The Taylor series of a mode, by the two functions of its table.
-//!
-//! This module does what is not arithmetic of the model, once for all models: the order of the
-//! coefficients, and the sums over lower orders.
+//! Here is what all models share: the order of the coefficients, and the sums over lower orders.
 
 use pode::Motion;
 use pode::series::PER_ORDER;
@@ -20,7 +18,6 @@ const CARRIED: usize = 2;
 const SIZES: [(usize, usize); 5] = [(4, 1), (8, 1), (7, 2), (8, 2), (8, 4)];
 
 impl SeriesTable {
-    /// Counts the numbers per order: rates, slaved entries, guards and conditions.
     const fn outputs(&self, states: usize) -> usize {
         states + self.guards + self.conditions
     }
@@ -140,7 +137,6 @@ impl SeriesWriter<'_> {
         self.functions.call(function, &arguments, out);
     }
 
-    /// Returns the coefficients of order `k` of the input and its rates.
     fn input(&self, k: usize) -> [f64; 4] {
         let mut by = 1.0;
         core::array::from_fn(|rate| {

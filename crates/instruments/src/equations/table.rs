@@ -22,7 +22,6 @@ pub struct Arguments<'a> {
     pub state: &'a [f64],
     /// The input s and its rates s', s'', s'''.
     pub input: &'a [f64; 4],
-    /// Further arguments of the function.
     pub extra: &'a [f64],
 }
 
@@ -129,8 +128,7 @@ pub struct NamedQuantity {
     pub unit: &'static str,
 }
 
-/// Returns `true` if an output is the pose of a frame that a drawing follows, with a name such as
-/// `key.angle`.
+/// Returns `true` if an output is the pose of a drawn frame, such as `key.angle`.
 pub fn is_pose(output: &str) -> bool {
     output.contains('.')
 }
@@ -202,7 +200,6 @@ pub struct ModeTable {
     pub is_stiffening: bool,
     pub guards: Vec<GuardTable>,
     pub guard_specs: Vec<GuardSpec>,
-    /// Contacts that can close here.
     pub contacts: Vec<ContactModeTable>,
     /// Degrees of freedom p, coordinates n and constraints m, in the paper's letters.
     pub freedom: Freedom,
@@ -227,8 +224,7 @@ pub struct ConstraintTable {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ForceTable {
     pub readout: FunctionId,
-    /// Computes the slopes of the readout by the input's position and by its rate, along the
-    /// constraints.
+    /// Computes the readout's slopes by the input's position and rate, along the constraints.
     pub slopes: FunctionId,
     pub outputs: FunctionId,
     /// Computes energy (J), supplied and dissipated power (W).
@@ -268,13 +264,10 @@ impl ModeTable {
 }
 
 /// The Taylor series of a mode: two functions, and the count of numbers between them.
-///
-/// A lane is a pair of factors with products summed over the orders; the functions return the
-/// factors and use the sums.
+/// A lane is a pair of factors with summed products; the functions return factors and use sums.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SeriesTable {
     /// Computes the outputs at the start of the series, then the numbers carried to the steps.
-    ///
     /// The outputs are the derivative of the entries that move by equations, then slaved entries,
     /// guards and conditions.
     pub start: FunctionId,
@@ -391,8 +384,7 @@ pub struct ContactModeTable {
     pub limits: Option<FunctionId>,
     /// Computes the contribution of 1 N of friction to the derivative, then to the readout.
     pub response: Option<FunctionId>,
-    /// Computes its contribution to the readout's slopes by the input's position and rate; `None`
-    /// if its friction is felt at the input.
+    /// Computes its part of the readout's slopes; `None` if its friction is felt at the input.
     pub slopes: Option<FunctionId>,
     /// Computes the speed of the strike when it closes (m/s), 0 when it opens.
     pub sounds: Option<FunctionId>,
@@ -404,7 +396,6 @@ pub struct RestTable {
     pub mode: u8,
     /// Other modes at rest, each where a function of the constants is positive; the first counts.
     pub instead: Vec<(FunctionId, u8)>,
-    /// Computes the initial guess of the state.
     pub state: FunctionId,
     /// `true` if the guess is refined to the equilibrium.
     pub is_improved: bool,
@@ -423,8 +414,7 @@ pub struct DamperTable {
 /// Conversion of strikes and of the key's force to MIDI.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct MidiTable {
-    /// Strike speeds as soft and as loud as a grand's softest and loudest tone (m/s); `None` for a
-    /// hammer as fast as a grand's.
+    /// Strike speeds as soft and loud as a grand's extremes (m/s); `None` for those of a grand.
     pub speeds: Option<(f64, f64)>,
     /// Velocity of every note, 1 ..= 127, of an instrument without dynamics.
     pub velocity: Option<u8>,

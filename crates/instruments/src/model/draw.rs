@@ -1,7 +1,5 @@
 //! A mechanism from the side, to scale: x to the right, y up (m).
-//!
-//! A model states once, for its values, its parts and what moves each of them; the viewer needs
-//! only the signals (states, guards, outputs) to move them.
+//! A model states its parts and what moves each of them; the viewer needs only the signals.
 
 pub use crate::equations::table::Material;
 

@@ -133,7 +133,6 @@ impl ModelEntry {
         self.id
     }
 
-    /// Returns `true` if this and `other` are the same model in the same version.
     pub const fn is(&self, other: &Self) -> bool {
         self.id == other.id
     }
@@ -178,8 +177,7 @@ pub struct ModeEntry {
 }
 
 impl ModeEntry {
-    /// Lists the guards of a mode, then the contacts that can close in it without a change of
-    /// structure.
+    /// Lists the guards of a mode, then the contacts that can close in it.
     fn new(table: &ModelTable, mode: &ModeTable) -> Self {
         let name = |mode: u8| table.modes.get(usize::from(mode)).map(|mode| mode.name);
         let guards = mode.guards.iter().map(|guard| {

@@ -57,7 +57,6 @@ pub type SmallModel = Loaded<4, 192>;
 type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 
 /// A model with the values of its default preset, as one of a few types.
-///
 /// The types differ by the size of their arrays, so that a model in the tick needs no heap and a
 /// new description no new type. Each type is compiled with all methods wherever models are visited,
 /// so there are few: a large model, or one with contacts, hardly notices spare room.
@@ -101,8 +100,7 @@ pub struct LoadedModel {
 }
 
 impl LoadedModel {
-    /// Builds the model of `table` and `functions` as a new version; `source` are its files. Fails
-    /// for a model that is too large.
+    /// Builds the model as a new version, read from `source`; fails for a model that is too large.
     #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
     pub fn new(
         table: ModelTable,

@@ -22,12 +22,10 @@ impl ModeCode {
         Self(code << Self::STRUCTURE_BITS | index as u64)
     }
 
-    /// Returns the index of the structural mode in the model's list.
     pub const fn structure(self) -> u8 {
         self.0.to_le_bytes()[0]
     }
 
-    /// Returns the states of the contacts in the model's code.
     pub const fn contacts(self) -> u64 {
         self.0 >> Self::STRUCTURE_BITS
     }

@@ -9,8 +9,7 @@ use crate::model::equation_model::decoded;
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
 
-/// Writes the name of a structural mode and each contact that is not open, `B1 string=closed`; `?`
-/// for an unknown number.
+/// Writes a structural mode and its contacts that are not open, `B1 string=closed`; `?` if unknown.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeName<'a> {
     pub model: &'a ModelParts,

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use instruments::{LoadedModel, SmallModel};
 use mechanism::Library;
 
-/// Loads the models whose folders are beside these tests.
 pub(crate) fn all() -> impl Iterator<Item = Arc<LoadedModel>> {
     let names = [
         "key-hammer-springs",
@@ -24,7 +23,6 @@ pub(crate) fn named(name: &str) -> Arc<LoadedModel> {
     model.unwrap_or_else(|missing| panic!("{}", missing.rendered()))
 }
 
-/// Returns each model, with the values of its default preset.
 pub(crate) fn small() -> impl Iterator<Item = SmallModel> {
     all().map(|it| it.small().expect("a small model"))
 }

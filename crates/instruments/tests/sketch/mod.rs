@@ -6,7 +6,6 @@ use instruments::Playable;
 use instruments::draw::{Body, Coil, Ends, Follow, Material, Sketch};
 use play::Moment;
 
-/// A point (m).
 pub type Point = [f64; 2];
 
 /// A line of a body, in the body's axes.
@@ -16,7 +15,6 @@ pub struct Outline {
     pub points: Vec<Point>,
 }
 
-/// A body with its lines.
 #[derive(Clone, Debug)]
 pub struct Part {
     pub name: &'static str,
@@ -54,7 +52,6 @@ fn shown(modes: &[u8], moment: &Moment) -> bool {
     modes.is_empty() || modes.iter().any(|mode| usize::from(*mode) == moment.mode)
 }
 
-/// A spring.
 #[derive(Clone, Debug)]
 pub struct Spring {
     pub name: &'static str,
@@ -63,7 +60,6 @@ pub struct Spring {
     pub modes: Vec<u8>,
 }
 
-/// All calls of a model's `draw`.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
     /// Left, bottom, right, top (m) of each call.
@@ -79,14 +75,12 @@ impl Drawing {
         drawing
     }
 
-    /// Returns the part called `name` that is shown at `moment`.
     #[track_caller]
     pub fn part(&self, name: &str, moment: &Moment) -> &Part {
         let found = |it: &&Part| it.name == name && it.is_shown(moment);
         self.parts.iter().find(found).expect("a part of that name")
     }
 
-    /// Returns the shown springs with the positions of their ends.
     pub fn coils(&self, moment: &Moment) -> Vec<(&Spring, [Point; 2])> {
         let shown = self.springs.iter().filter(|it| shown(&it.modes, moment));
         shown

@@ -7,10 +7,8 @@ use pode::{Event, Limits, Motion, Simulator, Watch};
 
 use crate::stroke::{presses, still};
 
-/// Mode and signals that a drawing follows.
 #[derive(Clone, Debug)]
 pub struct Moment {
-    /// Index of the mode in the model's list.
     pub mode: usize,
     pub signals: Vec<(&'static str, f64)>,
 }

@@ -33,7 +33,6 @@ struct ValueBuilder<'a> {
     graph: &'a mut Graph,
     scope: &'a mut dyn NameScope,
     found: Vec<TextError>,
-    /// Values of the parts; `None` for invalid ones.
     values: Vec<Option<Measured>>,
 }
 
@@ -139,7 +138,6 @@ impl ValueBuilder<'_> {
         value.dimension.is_none() && self.graph.is_zero(value.node)
     }
 
-    /// Compares every term with the first that is not a plain 0.
     fn sum(&mut self, terms: &[(usize, bool)]) -> Option<Measured> {
         let values: Option<Vec<_>> = terms.iter().map(|(part, _)| self.value(*part)).collect();
         let values = values?;

@@ -32,11 +32,9 @@ const KNOWN: [([i8; 3], &str); 22] = [
     ([1, 1, -3], "N/s"),
 ];
 
-/// Difference at which two exponents count as equal (rounding).
 const SAME: f64 = 1e-9;
 
 impl Dimension {
-    /// Dimension of a ratio or an angle.
     pub const NONE: Self = Self([0.0; 7]);
     pub const LENGTH: Self = Self::mechanical(1.0, 0.0, 0.0);
     pub const MASS: Self = Self::mechanical(0.0, 1.0, 0.0);
@@ -109,7 +107,6 @@ impl fmt::Display for Dimension {
     }
 }
 
-/// Returns a unit with its power: `m²`, `m^2.5`.
 pub(super) fn raised(unit: &str, power: f64) -> String {
     if (power - 1.0).abs() < SAME {
         unit.to_owned()

@@ -72,7 +72,6 @@ impl ParsedExpression {
         })
     }
 
-    /// Returns `true` if it is a number, with or without a sign.
     pub fn is_literal(&self) -> bool {
         self.parts
             .iter()

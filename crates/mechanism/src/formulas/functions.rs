@@ -2,18 +2,15 @@ use crate::expressions::graph::{BinaryFunction, Graph, Node, UnaryFunction};
 
 use super::composed;
 
-/// Units of a function's arguments and of its value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum UnitRule {
     /// Ratio or angle in, ratio out.
     Ratio,
-    /// Value with the unit of the arguments.
     Same,
     ToRatio,
     Root,
 }
 
-/// Function that an expression can name.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Function {
     Unary(UnaryFunction, UnitRule),
@@ -23,9 +20,7 @@ pub(super) enum Function {
     /// Function of ratios that are constant numbers.
     OfNumber(fn(f64) -> f64),
     If,
-    /// Total rate along the motion.
     Rate,
-    /// Function of names, with their number.
     Named(usize),
 }
 

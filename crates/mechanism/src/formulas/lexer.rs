@@ -45,7 +45,6 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     lexemes: Vec<Lexeme>,
-    /// `true` if a space precedes the next lexeme.
     is_after_space: bool,
 }
 

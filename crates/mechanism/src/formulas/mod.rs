@@ -27,7 +27,6 @@ use std::ops::Range;
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TextError {
     pub span: Range<usize>,
-    /// Another place, related to the mistake.
     pub other: Option<Range<usize>>,
     pub message: String,
     pub help: String,

@@ -1,7 +1,5 @@
 //! Parses lexemes to an expression, by binding powers.
-//!
-//! Sums and products of any length are one part each; nesting is counted, so that no text makes the
-//! parser or later passes recurse deeply.
+//! Long sums and products are one part each; nesting is counted, so that no pass recurses deeply.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "a language has many pieces, and each place takes few of them"
@@ -124,7 +122,6 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses operands of `tighter` with one of two signs between them.
     fn chain(
         &mut self,
         tighter: BindingPower,
@@ -163,8 +160,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses a power, which binds to the right and tighter than a sign before it: −x^−y is
-    /// −(x^(−y)).
+    /// Parses a power, which binds to the right and tighter than a sign: −x^−y is −(x^(−y)).
     fn power(&mut self) -> Parsed {
         let base = self.atom()?;
         if *self.kind() != LexemeKind::Caret {

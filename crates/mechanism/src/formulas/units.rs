@@ -134,7 +134,6 @@ impl UnitReader<'_> {
         self.lexemes.get(self.at + ahead).map(|it| &it.kind)
     }
 
-    /// Reads the unit that begins here: `N*m/rad`, `m/s^2`.
     pub(super) fn read(&mut self) -> Result<PhysicalUnit, TextError> {
         let mut unit = self.factor()?;
         while let Some(joint) = self.goes_on() {
@@ -260,7 +259,6 @@ impl UnitReader<'_> {
         self.factor()
     }
 
-    /// Reads `^2`, `^-1` or `^2.5`.
     fn exponent(&mut self) -> Option<f64> {
         if self.kind(0) != Some(&LexemeKind::Caret) {
             return None;
@@ -333,9 +331,7 @@ pub fn number_and_unit(text: &str) -> Option<(f64, &str)> {
     })
 }
 
-/// Converts `number` of the unit `given` to the SI unit `wanted`; `None` if they are of different
-/// kinds.
-///
+/// Converts `number` of the unit `given` to the SI unit `wanted`; `None` if they differ in kind.
 /// An angle is not a ratio here: revolutions per second are not hertz.
 pub fn converted(number: f64, given: &str, wanted: &str) -> Option<f64> {
     if given == wanted {

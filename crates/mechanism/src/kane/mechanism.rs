@@ -1,5 +1,4 @@
 //! A description whose names, units and expressions were checked.
-//!
 //! Expressions are nodes of one graph over [`Place::Parameter`], [`Place::Coordinate`],
 //! [`Place::Speed`] and [`Place::Input`]; in modes also over accelerations and reactions, which
 //! the derivation replaces by what they are there. All numbers are SI.
@@ -39,7 +38,6 @@ pub struct Mechanism {
     pub constraints: Vec<Constraint>,
     pub modes: Vec<Mode>,
     pub outputs: Vec<MechanismOutput>,
-    /// The mode at rest, and each coordinate there as a function of the input.
     pub rest: Rest,
 }
 
@@ -51,8 +49,7 @@ pub struct InstrumentSpec {
     pub presets: Vec<MechanismPreset>,
     /// Must be positive, on every key: with what to say if one is not.
     pub requirements: Vec<Requirement>,
-    /// Configurations of rigid contacts that are left out, since their constraints depend on one
-    /// another.
+    /// Left out configurations of rigid contacts, since their constraints depend on one another.
     pub left_out: Vec<String>,
     pub sound: Option<StringDamper>,
     pub midi: MidiTable,
@@ -71,7 +68,6 @@ pub struct Masses {
 #[derive(Clone, PartialEq, Debug)]
 pub struct MechanismParameter {
     pub name: String,
-    /// Name for people, on sliders.
     pub title: String,
     /// SI unit; `"1"` for a ratio.
     pub unit: String,
@@ -80,8 +76,7 @@ pub struct MechanismParameter {
     pub reading: Reading,
 }
 
-/// A named set of values; each is a formula of the key ([`Place::Key`](crate::kane::graph::Place::Key))
-/// and of other parameters.
+/// A named set of values; each is a formula of the key (`Place::Key`) and of other parameters.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MechanismPreset {
     pub name: String,
@@ -119,7 +114,6 @@ pub struct Coordinate {
     pub unit: String,
     /// Range of motion, over which bounds and rates are taken.
     pub range: (f64, f64),
-    /// Its rate in terms of the speeds; usually one of them.
     pub rate: Node,
 }
 
@@ -128,7 +122,6 @@ pub struct Coordinate {
 pub struct Speed {
     pub name: String,
     pub unit: String,
-    /// Range over which bounds and rates are taken.
     pub range: (f64, f64),
 }
 
@@ -152,8 +145,7 @@ pub struct RigidBody {
     pub mass: Node,
     /// Mass centre in the frame's axes (m); none is 0.
     pub centre: [Option<Node>; 3],
-    /// Moments of inertia xx, yy, zz and products xy, yz, zx about the mass centre, in the
-    /// frame's axes (kg·m²); none is 0.
+    /// Inertia xx, yy, zz, xy, yz, zx about the mass centre, in frame axes (kg·m²); none is 0.
     pub inertia: [Option<Node>; 6],
 }
 
@@ -194,7 +186,6 @@ pub struct DryFriction {
     pub slip: Node,
     /// What can hold (N or N·m).
     pub stiction: Node,
-    /// What brakes a slide.
     pub kinetic: Node,
     /// Typical sizes of force and slip.
     pub scales: (f64, f64),
@@ -244,7 +235,7 @@ pub struct Mode {
     pub guards: Vec<Guard>,
 }
 
-/// What ends a mode.
+/// End of a mode.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Guard {
     /// Its name; guards of several modes with one name are one.
@@ -290,8 +281,7 @@ pub struct Impact {
     pub separation: Node,
     /// Restitution e of `[Newton]`: separation⁺ = −e separation⁻; 0 is a plastic catch.
     pub restitution: Node,
-    /// Mode whose constraints hold during the impact beside those of the mode before; none for
-    /// the mode before alone.
+    /// Mode whose constraints hold in the impact beside those of the mode before; none without.
     pub within: Option<usize>,
     /// The mode in which ever shorter rebounds end, as a ball's do on a floor.
     pub settles: Option<usize>,
@@ -306,12 +296,11 @@ pub struct MechanismOutput {
     pub values: Vec<Node>,
 }
 
-/// Where the mechanism rests.
+/// Rest of the mechanism.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Rest {
     pub mode: usize,
-    /// Other modes at rest, each where its condition on the parameters is positive; the first
-    /// counts.
+    /// Other modes at rest, the first whose condition on the parameters is positive.
     pub instead: Vec<(Node, usize)>,
     /// A guess of each coordinate, over the parameters and the input; improved to the equilibrium.
     pub coordinates: Vec<Option<Node>>,
@@ -331,7 +320,7 @@ pub struct StringDamper {
     pub softest_tone: f64,
 }
 
-/// How it looks from the side.
+/// View of the mechanism from the side.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Drawing {
     /// Left, bottom, right, top (m); over the parameters.

@@ -137,7 +137,6 @@ fn fault_of<const N: usize, const C: usize>(
     })
 }
 
-/// Returns `true` if the values of a preset differ on the last key.
 fn is_graded(functions: &LimitedFunctions<'_>, preset: usize) -> bool {
     let table = functions.table();
     let values = |key: u8| {

@@ -15,7 +15,6 @@ use instruments::equations::table::{Arguments, FunctionId, Functions};
 /// Function of the addresses of constants, state, input, extra and out.
 type Code = unsafe extern "C" fn(*const f64, *const f64, *const f64, *const f64, *mut f64);
 
-/// One function in machine code, and the lengths that it requires.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry {
     code: Code,
@@ -57,11 +56,9 @@ impl Entry {
     }
 }
 
-/// Functions of a model in machine code.
-///
-/// Copies share the code, and each keeps it alive: it is freed with the last one, which should not
-/// happen in the tick. A model at run time holds one for as long as it can be stepped; no address
-/// leaves this type.
+/// Functions of a model in machine code. Copies share the code, and each keeps it alive: it is
+/// freed with the last one, which should not happen in the tick. A model at run time holds one for
+/// as long as it can be stepped; no address leaves this type.
 #[derive(Clone)]
 pub struct NativeFunctions {
     // Before the memory, so that no freed code can be called.

@@ -49,7 +49,6 @@ extern "C" fn sin_cos(x: f64, out: &mut [f64; 2]) {
     *out = [sine, cosine];
 }
 
-/// Writes the sines of two angles, then their cosines.
 extern "C" fn sin_cos_of_two(x: f64, y: f64, out: &mut [f64; 4]) {
     let ([a, b], [c, d]) = math::sin_cos_of_two([x, y]);
     *out = [a, b, c, d];

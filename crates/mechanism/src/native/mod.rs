@@ -23,8 +23,7 @@ use cranelift_module::{FuncId, Linkage, Module as _, ModuleError};
 use self::call::Entry;
 use self::functions::Callees;
 
-/// Largest number of instructions of all functions together; compiling so many takes about a
-/// second. The largest shipped model has a tenth.
+/// Most instructions of all functions, compiled in about a second; the largest model has a tenth.
 pub const MAX_INSTRUCTIONS: usize = 150_000;
 
 /// Reason for missing machine code.

@@ -50,7 +50,6 @@ fn missing_arguments_are_not_numbers() {
     assert!(tape.evaluate(&short)[0].is_nan());
 }
 
-/// Returns the number of multiplications and divisions, and of additions and subtractions.
 fn costs(tape: &Tape) -> (usize, usize, usize) {
     let count =
         |kind: fn(&Instruction) -> bool| tape.instructions.iter().filter(|it| kind(it)).count();

@@ -16,8 +16,7 @@ const AGREEMENT: f64 = 1e-12;
 /// Random states in each mode, for each set of values.
 const PLACES: usize = 200;
 
-/// Ranges of random states: middle and half width of each entry of the state, and half width of
-/// the input and its rates.
+/// Middle and half width of each entry of random states; half widths of the input and its rates.
 struct Span<const N: usize> {
     state: [(f64, f64); N],
     input: [(f64, f64); 4],
@@ -32,7 +31,6 @@ impl<const N: usize> Span<N> {
     }
 }
 
-/// Described model, its equations by hand, and the compared states.
 struct Pair<W, const N: usize> {
     label: String,
     described: Runnable<N>,
@@ -110,7 +108,6 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
         }
     }
 
-    /// Compares the targets of each guard, at states where it is 0.
     fn compare_resets(&self, mode: ModeNumber, numbers: &mut Numbers) {
         let name = mode_name(&self.described, mode);
         let span = (self.span)(name);
@@ -124,7 +121,6 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
         }
     }
 
-    /// Returns a state between two at which a guard falls through zero.
     fn zero(
         &self,
         mode: ModeNumber,
@@ -187,7 +183,6 @@ fn unlike_any_preset(name: &str, value: f64) -> f64 {
     }
 }
 
-/// Compares a description with the equations by hand, for three keys of each preset.
 fn check<W: ByHand<N>, const N: usize>(shipped: &ShippedModel, span: fn(&str) -> Span<N>) {
     let mut numbers = Numbers::new(17);
     let table = shipped.table;

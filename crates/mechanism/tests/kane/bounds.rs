@@ -53,7 +53,6 @@ impl<const N: usize> Motions<N> {
     }
 }
 
-/// Returns the largest move, bend and size of a guard with these values along a step.
 pub(super) fn seen(values: &[f64]) -> [f64; 3] {
     let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let second = |w: &[f64]| SQUARE * (w[2] - 2.0 * w[1] + w[0]).abs();
@@ -67,8 +66,7 @@ pub(super) fn seen(values: &[f64]) -> [f64; 3] {
 /// Instruction of the stack machine: its number and a constant.
 type Code = (u8, f64);
 
-/// Builds an expression from a list of codes by a stack machine that always has operands. The
-/// result of each code is scaled up and down in turn by the fraction `shake`.
+/// Builds an expression by a stack machine; results are scaled up and down in turn by `shake`.
 fn expression(draft: &mut Draft, codes: &[Code], shake: f64) -> Node {
     let symbols: Vec<Node> = draft.same().into_iter().chain(draft.input()).collect();
     let parameter = draft.parameter("p");
@@ -135,7 +133,6 @@ fn guarded(codes: &[Code]) -> Runnable<4, 2048> {
     shaken(codes, 0.0)
 }
 
-/// Returns the model with each part of the guard off by a fraction.
 fn shaken(codes: &[Code], shake: f64) -> Runnable<4, 2048> {
     let mut draft = Draft::new(&[("p", 0.7)], &["x", "y"]);
     let value = expression(&mut draft, codes, shake);
@@ -160,8 +157,7 @@ fn step() -> impl Strategy<Value = Motions<4>> {
     })
 }
 
-/// Returns the error of an expression over a step by rounding: the effect of small errors of all
-/// its parts. It is 1e-11 for asin(cos(1e-5)), each part of which is good to 1e-16.
+/// Returns the error over a step by rounding: 1e-11 for asin(cos(1e-5)), of parts good to 1e-16.
 fn rounding(codes: &[Code], step: &Motions<4>) -> f64 {
     let only = (ModeNumber(0), GuardId(0));
     let exact = step.values(&guarded(codes), only.0, only.1);
@@ -173,7 +169,6 @@ fn rounding(codes: &[Code], step: &Motions<4>) -> f64 {
     most
 }
 
-/// Checks that an expression moves and bends no further over a step than `model`'s bound of it.
 fn check(
     model: &Runnable<4, 2048>,
     codes: &[Code],

@@ -61,7 +61,6 @@ impl MechanismBuilder {
         node
     }
 
-    /// Adds a coordinate with its rate as a speed.
     pub(crate) fn coordinate(&mut self, name: &str) {
         let rate = self.speed(&format!("{name}'"));
         self.coordinate_with_rate(name, rate);
@@ -101,7 +100,6 @@ impl MechanismBuilder {
         nodes
     }
 
-    /// Adds a frame that rotates about z.
     pub(crate) fn frame(&mut self, parent: usize, origin: &[&str], turn: &str) -> usize {
         self.frame_about(parent, origin, Some((2, turn)))
     }
@@ -119,7 +117,6 @@ impl MechanismBuilder {
         self.it.frames.len() - 1
     }
 
-    /// Adds a planar body, with the inertia about its centre.
     pub(crate) fn body(&mut self, frame: usize, mass: &str, centre: &[&str], inertia: &str) {
         let inertia = self.e(inertia);
         self.body_with(frame, mass, centre, [None, None, Some(inertia), None, None, None]);
@@ -141,7 +138,6 @@ impl MechanismBuilder {
         self.it.masses.gravity = self.vector(at);
     }
 
-    /// Returns the rate of a function of coordinates and the input.
     pub(crate) fn rate(&mut self, node: Node) -> Node {
         let graph = &mut self.it.graph;
         let coordinates = self.it.coordinates.iter().enumerate();
@@ -195,7 +191,6 @@ impl MechanismBuilder {
         at
     }
 
-    /// Adds a mode with these constraints and all forces so far.
     pub(crate) fn mode(&mut self, name: &str, constraints: &[usize]) -> usize {
         self.it.modes.push(Mode {
             name: name.to_owned(),

@@ -15,13 +15,11 @@ use crate::kane::reference::Case;
 use crate::kane::runnable::{GRAND, RIGID, Runnable, SPRINGS, ShippedModel, built_in};
 use crate::kane::stroke::{presses, still};
 
-/// Returns the fraction of certain steps.
 fn share(work: &Work) -> f64 {
     f64::from(work.certain) / f64::from(work.certain + work.unknown)
 }
 
-/// Runs `model` from `start` with ticks of `h` until `until` (s), under a cubic per tick through
-/// `input` and its rate at both ends; returns the work of the ticks without an event.
+/// Runs `model` under a cubic per tick through `input`; returns the work of ticks without an event.
 fn count<const N: usize>(
     model: &Runnable<N>,
     start: (ModeNumber, [f64; N]),
@@ -44,8 +42,7 @@ fn count<const N: usize>(
     quiet
 }
 
-/// Checks that nearly all steps without an event are certain: all but those in which a guard is as
-/// near to zero as it can move in one step.
+/// Checks that nearly all quiet steps are certain: all but those with a guard near zero.
 #[track_caller]
 fn check(label: &str, quiet: &Work) {
     assert!(share(quiet) > 0.995, "{label}: {quiet:?}");

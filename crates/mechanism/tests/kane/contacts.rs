@@ -3,7 +3,6 @@ use mechanism::kane::mechanism::{DryFriction, Force, MechanismContact};
 use crate::kane::builder::MechanismBuilder;
 use crate::kane::evaluation::{Derived, Numbers, close};
 
-/// Two links with a joint, driven by the input at the first.
 fn links() -> MechanismBuilder {
     let mut m = MechanismBuilder::new(&[("l", 0.3), ("K", 900.0)], &["a", "b"]);
     m.gravity(&["0", "-9.81"]);

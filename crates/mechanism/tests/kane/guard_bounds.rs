@@ -16,7 +16,6 @@ const N: usize = 4;
 
 type Model = Runnable<N>;
 
-/// Choice of random steps.
 #[derive(Clone, Copy)]
 enum Steps {
     /// Anything within the ranges; every other term is left out, so that each is alone at times.
@@ -25,7 +24,6 @@ enum Steps {
     Played,
 }
 
-/// Returns a random step of `model` in `mode`.
 fn step(model: &Model, mode: ModeNumber, steps: Steps, numbers: &mut Numbers) -> Motions<N> {
     let (wildest, left_out) = match steps {
         Steps::Any => (0.7, 0.5),
@@ -57,11 +55,9 @@ fn step(model: &Model, mode: ModeNumber, steps: Steps, numbers: &mut Numbers) ->
     Motions::new(h, terms, driven)
 }
 
-/// Moves and bend of a guard over a step, and the model's bounds.
 struct Found {
     seen: [f64; 2],
     allowed: [f64; 2],
-    /// Rounding errors of both.
     rounding: [f64; 2],
 }
 
@@ -76,8 +72,7 @@ fn follow((model, mode): (&Model, ModeNumber), guard: &GuardSpec, step: &Motions
     }
 }
 
-/// Returns the model with a preset's values of one key, each times a random factor and clamped to
-/// its range; a spread of 0 keeps the preset.
+/// Returns a preset's model with each value times a random factor; a spread of 0 keeps the preset.
 fn varied(
     shipped: &ShippedModel,
     (preset, key, spread): (usize, u8, f64),
@@ -92,7 +87,6 @@ fn varied(
     shipped.valued(&values)
 }
 
-/// Checks random steps of every guard, mode and preset on two keys, with and without varied values.
 fn every_guard(
     shipped: &ShippedModel,
     sample: (usize, Steps),

@@ -3,10 +3,8 @@ use pode::{Model as _, Motion};
 use crate::kane::runnable::{BALL, CART, WALL, guard, mode};
 use crate::kane::stroke::{bells, run, sine, still};
 
-/// Time √(2/g) of the fall from 1 m (s).
 const T1: f64 = 0.451_523_640_985_730_9;
 
-/// Checks case C1: the bounces, their end, and the floor's impulse.
 #[track_caller]
 fn check_drop(e: f64, h: f64, floor: f64) {
     let model = BALL.model::<2>("default", 0, &[("restitution", e)]);

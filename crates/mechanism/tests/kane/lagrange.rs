@@ -10,7 +10,6 @@ use pode::{Energetic as _, Guarded as _, Model as _, Motion, Resets as _};
 use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{BALL, CART, Runnable, guard, mode, output, value};
 
-/// Relative error allowed for the differences.
 const TOLERANCE: f64 = 1e-9;
 
 type Vector = [f64; 2];
@@ -31,7 +30,6 @@ fn combined(a: Vector, scale: f64, b: Vector) -> Vector {
     [a[0] + scale * b[0], a[1] + scale * b[1]]
 }
 
-/// Returns f'(0) by five points.
 fn slope(f: impl Fn(f64) -> f64) -> f64 {
     const H: f64 = 1e-3;
     (8.0 * (f(H) - f(-H)) - (f(2.0 * H) - f(-2.0 * H))) / (12.0 * H)

@@ -16,7 +16,6 @@ fn compass() -> impl Iterator<Item = (u8, Runnable<4>)> {
     (0..88).map(|key| (key, SPRINGS.model("playable", key, &[])))
 }
 
-/// Returns the hammer angle at rest with the key front `down` (m).
 fn hammer<const N: usize>(model: &Runnable<N>, down: f64) -> f64 {
     model.at_rest(&still(down / FRONT)).1[0]
 }
@@ -71,7 +70,6 @@ fn every_key_is_balanced() {
     }
 }
 
-/// Returns a minimum-jerk press to the bottom in `duration` (s).
 fn press(duration: f64, t: f64) -> Motion {
     let z = (t / duration).clamp(0.0, 1.0);
     let bottom = DIP / FRONT;
@@ -85,7 +83,6 @@ fn press(duration: f64, t: f64) -> Motion {
     }
 }
 
-/// Returns the speeds (m/s) at which the string was struck.
 fn strikes(key: u8, duration: f64) -> Vec<f64> {
     let model = SPRINGS.model::<4>("playable", key, &[]);
     let (audited, _) = run(&model, model.at_rest(&still(0.0)), (1e-3, 1.0), |t| press(duration, t));

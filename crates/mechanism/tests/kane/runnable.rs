@@ -14,7 +14,6 @@ use crate::kane::shipped::{Folder, files};
 pub(crate) type Runnable<const N: usize, const C: usize = 256> =
     EquationModel<&'static Program, N, C>;
 
-/// Returns the model of a program, with one value per parameter; missing ones are the defaults.
 pub(crate) fn runnable<const N: usize, const C: usize>(
     program: Program,
     values: &[f64],
@@ -22,10 +21,8 @@ pub(crate) fn runnable<const N: usize, const C: usize>(
     ShippedModel::of(program).valued(values)
 }
 
-/// Runnable model with room for any description.
 pub(crate) type Run<const N: usize> = Runnable<N, 512>;
 
-/// Returns the model of a description, with the values of a preset for a key.
 pub(crate) fn model<const N: usize>(derived: DerivedModel, (preset, key): (usize, u8)) -> Run<N> {
     let it = ShippedModel::of(derived.program);
     it.valued(&it.values(preset, key))
@@ -66,8 +63,6 @@ impl ShippedModel {
         values
     }
 
-    /// Returns the model with the preset called `preset` of `key`, and some values replaced by
-    /// name.
     pub(crate) fn model<const N: usize>(
         &self,
         preset: &str,

@@ -6,7 +6,6 @@ use crate::kane::runnable::{Run, described, model, shipped};
 
 type Action = WithContacts<Run<10>>;
 
-/// Contact with reported events.
 const STRING: &str = "string";
 
 /// Events of the string: closing or not, sounding speed, and speed of the hammer's head.
@@ -29,7 +28,6 @@ impl Watch<Action> for Strings {
     }
 }
 
-/// Presses a key; returns the events of the string, and the work.
 fn pressed(text: &str, length: f64, reach: f64) -> (Strings, Work) {
     let action: Run<10> = model(described(text), (0, 40));
     let still = Motion::default();
@@ -44,7 +42,6 @@ fn pressed(text: &str, length: f64, reach: f64) -> (Strings, Work) {
     (told, outcome.work)
 }
 
-/// Returns a motion from rest at 0 to rest at `reach` (m) in `length` (s).
 fn half_cosine(t: f64, length: f64, reach: f64) -> Motion {
     let w = std::f64::consts::PI / length;
     if t > length {

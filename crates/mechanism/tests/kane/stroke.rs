@@ -39,7 +39,6 @@ pub fn presses(presses: &[[f64; 3]], t: f64) -> Motion {
     motion
 }
 
-/// Returns s(t) = A sin ωt with its derivatives.
 pub fn sine(amplitude: f64, omega: f64, t: f64) -> Motion {
     let (sin, cos) = (omega * t).sin_cos();
     Motion {
@@ -136,7 +135,6 @@ impl<M: Resets<Input = Motion> + Energetic> Watch<M> for AuditedRun<M> {
     }
 }
 
-/// Runs `model` from `start` until `until` (s) with ticks of `h` under `input`.
 #[track_caller]
 pub fn run<M>(
     model: &M,

@@ -5,7 +5,6 @@ use pode::{Auditor, Energetic as _, Guarded as _, Limits, Motion, RunRecorder, S
 
 use crate::kane::runnable::{Run, described, model as built};
 
-/// Returns a mass of one coordinate, with these forces and contacts in its only mode.
 fn mass(text: &str) -> Run<2> {
     let text = format!(
         r#"
@@ -38,7 +37,6 @@ contacts.spring = { gap = "y", stiffness = "5 kN/m" }
     )
 }
 
-/// Returns a mass on a bearing, drawn through a spring by the input.
 fn drawn() -> Run<2> {
     mass(
         r#"

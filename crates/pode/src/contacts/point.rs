@@ -7,7 +7,6 @@ use crate::contacts::{
 };
 use crate::filippov::{Continued as _, Surface};
 
-/// A state, an input, and the mode of the contacts there.
 pub(super) struct ContactPoint<'a, M: GuardedContacts> {
     pub(super) system: &'a M,
     pub(super) mode: ContactMode<M::Structure>,
@@ -47,8 +46,7 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         self.system.friction(self.mode.structure, contact, self.x, self.input)
     }
 
-    /// Computes the derivative with all friction forces, at the cost of one derivative of the
-    /// system and a response for each closed contact with friction.
+    /// Computes the derivative with friction: one derivative, and one response per friction.
     pub(super) fn motion(&self) -> ContactMotion<M::State> {
         let (structure, contacts) = (self.mode.structure, self.mode.contacts);
         let mut flow = self.system.derivative(structure, contacts.closed(), self.x, self.input);

@@ -1,5 +1,4 @@
-//! The mode in which a state starts, and the resets where a contact opens or closes, a friction
-//! sticks or slips, or the structure changes.
+//! The mode in which a state starts, and resets: a contact, a friction or the structure changes.
 
 use crate::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactState, GuardedContacts,
@@ -97,7 +96,6 @@ impl<M: GuardedContacts> WithContacts<M> {
         Reset::to(self.decided(stopped.with(contact, first), resting, &x, input), x)
     }
 
-    /// Returns the mode with `contact` sticking, and all others that stopped by the same motion.
     fn stopped_with(
         &self,
         mode: ContactMode<M::Structure>,

@@ -105,7 +105,6 @@ const fn bit(contact: usize) -> u64 {
 }
 
 impl fmt::Debug for ContactSet {
-    /// Lists the contacts that are not open, as in `{0: Closed, 5: Stick}`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_map()
             .entries(self.closed().iter().map(|contact| (contact, self.state(contact))))

@@ -45,8 +45,7 @@ pub struct FrictionSpec {
 }
 
 impl FrictionSpec {
-    /// Builds a friction with forces of size `force` (N) and slip speeds of size `slip` (m/s); it
-    /// follows jumps of the slip speed up to 1/64 of that.
+    /// Builds a friction of sizes `force` (N) and `slip` (m/s); it follows jumps up to `slip`/64.
     pub const fn new(name: &'static str, force: f64, slip: f64) -> Self {
         Self { name, force, slip, slack: slip / 64.0 }
     }

@@ -26,20 +26,14 @@ impl FrictionLimits {
     }
 }
 
-/// A mechanism with compliant contacts and dry frictions.
-///
-/// Contacts have numbers, from 0, by their place in [`Self::contacts`]. What is asked about a
-/// contact is asked a little beyond its end too, within a step: a force goes on there as if
-/// the contact were not over, or is zero.
+/// A mechanism with compliant contacts and dry frictions. Contacts have numbers, from 0, by their
+/// place in [`Self::contacts`]. What is asked about a contact is asked a little beyond its end too,
+/// within a step: a force goes on there as if the contact were not over, or is zero.
 pub trait ContactSystem: Sized {
-    /// What changes besides the contacts: the structural mode.
     type Structure: Copy + Eq + Debug + Send;
-    /// The vector of coordinates, then speeds.
     type State: State;
-    /// What drives the system.
     type Input: Continued;
 
-    /// How many leading entries of the state are coordinates.
     const COORDS: usize;
 
     /// Returns the number of leading coordinates, which may depend on values of the system.
@@ -60,8 +54,7 @@ pub trait ContactSystem: Sized {
         input: &Self::Input,
     ) -> GuardValue;
 
-    /// Returns the derivative of `x` with the normal forces of the `closed` contacts, and
-    /// without any friction force of the contacts.
+    /// Returns the derivative with the normal forces of the `closed` contacts, without friction.
     fn derivative(
         &self,
         structure: Self::Structure,
@@ -99,9 +92,7 @@ pub trait ContactSystem: Sized {
     }
 }
 
-/// The frictions of a mechanism with contacts.
-///
-/// One without friction needs no more than `impl FrictionalContacts for X {}`.
+/// Frictions of a mechanism; without any, `impl FrictionalContacts for X {}` is enough.
 pub trait FrictionalContacts: ContactSystem {
     /// A time (s) of little motion, over which rates of holding forces are differenced.
     const MOMENT: f64 = 1e-6;
@@ -130,8 +121,7 @@ pub trait FrictionalContacts: ContactSystem {
         Self::State::ZERO
     }
 
-    /// Returns the largest friction forces of a closed contact (N), not negative while it is
-    /// closed; the kinetic one may depend on the slip speed.
+    /// Returns the largest friction forces (N), not negative; kinetic may depend on the slip.
     fn friction(
         &self,
         _structure: Self::Structure,
@@ -144,7 +134,6 @@ pub trait FrictionalContacts: ContactSystem {
 }
 
 /// What ends a structural mode of a mechanism with contacts, and how far a step may go.
-///
 /// One with a single structure needs no more than `impl GuardedContacts for X {}`.
 pub trait GuardedContacts: FrictionalContacts {
     /// Returns the guards of all structural modes, with ids below 128 and priorities below 64.
@@ -157,7 +146,6 @@ pub trait GuardedContacts: FrictionalContacts {
         true
     }
 
-    /// Returns a guard of the structure and its rate along the motion.
     fn structure_guard(
         &self,
         _structure: Self::Structure,
@@ -179,8 +167,7 @@ pub trait GuardedContacts: FrictionalContacts {
         GuardBound::UNKNOWN
     }
 
-    /// Longest step (s) from `x` on, where that depends on the state: a felt that is pressed
-    /// hard is stiff. At most [`Nature::longest_step`].
+    /// Longest step (s) from `x`, as of a hard felt; at most [`Nature::longest_step`].
     fn longest_step_at(
         &self,
         structure: Self::Structure,

@@ -54,9 +54,7 @@ use point::SurfacePoint;
 /// The field that holds, or the slide between both.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
-    /// Above the surface, h > 0.
     Above,
-    /// Below the surface, h < 0.
     Below,
     Sliding,
 }
@@ -72,14 +70,10 @@ impl From<SurfaceSide> for Mode {
 
 /// A two-sided system as a model with the modes [`Mode`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Filippov<M>(
-    /// The equations on both sides.
-    pub M,
-);
+pub struct Filippov<M>(pub M);
 
 impl<M: Sided> Filippov<M> {
-    /// Returns the mode in which `x` starts and `x`, moved onto the surface if it starts there; on
-    /// a surface that repels the mode is `Above`.
+    /// Returns the mode of `x`, `Above` where the surface repels, and `x`, moved onto it if there.
     pub fn start(&self, x: &M::State, input: &M::Input) -> (Mode, M::State) {
         let height = self.0.surface(x, input).value;
         if height.abs() > Sizes::<M>::HEIGHT_BAND {
@@ -113,7 +107,6 @@ impl<M: Sided> Filippov<M> {
 struct Sizes<M>(core::marker::PhantomData<M>);
 
 impl<M: Sided> Sizes<M> {
-    /// Rounding at the size of h.
     const HEIGHT_BAND: f64 = 16.0 * f64::EPSILON * M::SIZE;
     /// Rounding at the size of h's rates (1/s).
     const RATE_BAND: f64 = 16.0 * f64::EPSILON * M::RATE;

@@ -5,9 +5,7 @@ use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::model::{Guarded, Model, Reset, Resets};
 use crate::nature::{EquationKind, Nature};
 
-/// Guards that meet the surface from above, and from below.
 const MEETS: [GuardId; 2] = [GuardId(0), GuardId(1)];
-/// Guards that leave it upwards, and downwards.
 const LEAVES: [GuardId; 2] = [GuardId(2), GuardId(3)];
 const TORN: GuardId = GuardId(4);
 

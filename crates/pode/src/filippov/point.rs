@@ -47,7 +47,6 @@ impl<'a, M: Sided> SurfacePoint<'a, M> {
         self.system.derivative(branch, self.x, self.input)
     }
 
-    /// Returns the rate of h on `branch` (1/s).
     pub(super) fn rate(&self, branch: Branch) -> f64 {
         self.surface().rate(&self.flow(branch))
     }
@@ -72,7 +71,6 @@ impl<'a, M: Sided> SurfacePoint<'a, M> {
         Self::heading_of(rate, self.change(branch, &flow))
     }
 
-    /// Returns the heading by a rate (1/s) and its change (1/s²).
     pub(super) fn heading_of(rate: f64, change: f64) -> Heading {
         let [height, band] = [Sizes::<M>::HEIGHT_BAND, Sizes::<M>::RATE_BAND];
         heading::heading((rate, change), height, band, Sizes::<M>::CHANGE_BAND)

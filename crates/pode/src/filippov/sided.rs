@@ -9,9 +9,7 @@ use crate::state::State;
 /// A side of the surface.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SurfaceSide {
-    /// The surface function is positive.
     Above,
-    /// The surface function is negative.
     Below,
 }
 
@@ -28,8 +26,7 @@ impl SurfaceSide {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Branch {
     pub side: SurfaceSide,
-    /// `true` for the equations that can keep the state on the surface (with friction, the static
-    /// limit towards this side), `false` for free motion.
+    /// `true` for equations that can hold the state on the surface, as stiction; `false` for free.
     pub holds: bool,
 }
 
@@ -57,12 +54,9 @@ impl<S: State> Surface<S> {
     }
 }
 
-/// A system with equations on either side of a surface, h(x, u) = 0.
-///
-/// Within a step each side's equations are also evaluated a little beyond the surface: they
-/// continue smoothly there and never test the sign of h.
+/// A system with equations on either side of a surface, h(x, u) = 0. They are also evaluated a
+/// little beyond it within a step: they continue smoothly there and never test the sign of h.
 pub trait Sided {
-    /// Coordinates, then speeds.
     type State: State;
     type Input: Continued;
 

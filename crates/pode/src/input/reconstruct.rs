@@ -128,7 +128,6 @@ impl Reconstructor {
 mod tests {
     use super::*;
 
-    /// Each reconstruction with its order and its latency (ticks).
     const ALL: [(Reconstruction, i32, f64); 4] = [
         (Reconstruction::Hold, 1, 0.0),
         (Reconstruction::Linear, 2, 0.0),

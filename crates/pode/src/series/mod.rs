@@ -53,8 +53,7 @@ pub struct Expansion<S> {
     /// Coefficients of the guards along the solution, in the order of the mode's list.
     pub guards: [[f64; TERMS]; MOST_GUARDS],
     pub known_guards: usize,
-    /// Coefficients of conditions: the equations' form depends on their sign, as where a felt is
-    /// left, so the series ends where one becomes zero.
+    /// Coefficients of conditions on which the equations' form depends: the series ends at a zero.
     pub conditions: [[f64; TERMS]; MOST_CONDITIONS],
     pub known_conditions: usize,
 }

@@ -148,8 +148,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.land(run, EventReport { cause, error, projection: 0.0 }, reset, &to)
     }
 
-    /// Returns `true` if the end of a measured sequence, to `resting`, is known to a fraction of
-    /// the tick, or as well as the tick's last events permit.
+    /// Returns `true` if the end is known to a fraction of the tick, or as well as its events.
     fn is_sure<S: Signal<M::Input>, W>(
         &self,
         run: &TickRun<'_, S, W>,

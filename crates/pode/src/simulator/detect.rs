@@ -37,7 +37,6 @@ impl CrossingTime {
 pub(super) struct Suspicion {
     /// A bit for each guard that may cross, by its index in the mode.
     pub(super) candidates: u32,
-    /// Certainty that all others have no root.
     pub(super) certainty: Certainty,
 }
 
@@ -188,7 +187,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok((first, certainty))
     }
 
-    /// Returns `true` if the reset map of a sinking guard would turn it up at `x` and `input`.
     fn would_turn<S, W>(
         &self,
         run: &mut TickRun<'_, S, W>,
@@ -288,8 +286,7 @@ fn alone(spec: &GuardSpec, place: CrossingTime) -> Option<First> {
     place.tau.is_finite().then_some(First { index: 0, tau: place.tau, crossed })
 }
 
-/// Returns the crossing of lowest priority among those indistinguishable from the earliest one.
-/// Depends on the set of guards only, not on their order.
+/// Returns the crossing of lowest priority among the indistinguishably earliest, in any order.
 fn earliest(specs: &[GuardSpec], places: &[CrossingTime; MAX_GUARDS]) -> Option<First> {
     let limit = specs
         .iter()

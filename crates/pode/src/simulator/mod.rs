@@ -1,5 +1,4 @@
-//! One tick of a model: [`detect`] finds the first crossing of a step, and [`transition`] fires
-//! guards until the present instant is settled.
+//! One tick: [`detect`] finds a step's first crossing, [`transition`] fires what is due.
 
 mod accumulation;
 mod by_series;
@@ -57,7 +56,6 @@ struct TakenStep<M: Model, T: Stepper> {
     input_start: M::Input,
     end: M::State,
     input: M::Input,
-    /// `true` if its dense output has its full order.
     is_refined: bool,
 }
 
@@ -102,8 +100,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &self.model
     }
 
-    /// Replaces the model by one of the same kind from the next tick on. The guards are evaluated
-    /// again, since the parameters may have moved them.
+    /// Replaces the model by one of its kind from the next tick on, and evaluates the guards again.
     pub fn set_model(&mut self, model: M) {
         self.model = model;
         self.last_input = None;
@@ -121,7 +118,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.limits.work = work;
     }
 
-    /// Clears the method's memory after a jump of the state or a change of the mode.
     fn restart(&mut self) {
         self.memory.iter_mut().for_each(PartMemory::restart);
     }
@@ -170,7 +166,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.finish(run, input)
     }
 
-    /// Evaluates the guards at the start of the tick, and fires those that are due.
     #[inline]
     fn begin<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
@@ -419,7 +414,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.readout = Some(end);
     }
 
-    /// Returns the state with its slaved coordinates in place, if it is finite.
     #[inline]
     fn constrained(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> Option<M::State> {
         Some(self.model.constrain(mode, x, input)).filter(is_finite)

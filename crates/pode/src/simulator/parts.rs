@@ -38,7 +38,6 @@ impl<D> Ahead<D> {
     where
         D: Dense<S>,
     {
-        /// Relative rounding of a sum of steps.
         const ROUNDING: f64 = 1e-9;
         let (from, to) = (self.passed / self.length, (self.passed + h) / self.length);
         self.passed += h;
@@ -166,7 +165,6 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         (whole, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
     }
 
-    /// Lets the method expand from `x0`, for a step of about this length.
     pub(super) fn prepare(&self, x0: &M::State, memories: &mut Memories<M, T>, work: &mut Work) {
         // Such a method takes all parts together.
         let Some(whole) = self.whole() else { return };

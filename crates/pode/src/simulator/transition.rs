@@ -134,7 +134,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         pairs.map(|(is, should_be)| (should_be - is).abs()).fold(0.0, f64::max)
     }
 
-    /// Marks each positive guard as crossing in case the input's jump makes it negative.
     pub(super) fn expect_jumps<S, W>(&self, run: &mut TickRun<'_, S, W>) {
         for (slot, spec) in self.guards.iter().zip(self.model.guards(self.mode)) {
             if slot.stand == Stand::Armed {

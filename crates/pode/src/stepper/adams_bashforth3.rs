@@ -18,8 +18,6 @@ use crate::stepper::{DerivativeHistory, Field, Step, Stepper};
 ///
 /// Stability: h |λ| < 6/11 for damped motion, h ω < 0.72 for undamped. Choose it where the
 /// derivative is costly, events are rare and the step is short for other reasons.
-///
-/// # References
 /// `[HNW93]` III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct AdamsBashforth3;
@@ -52,7 +50,6 @@ impl Stepper for AdamsBashforth3 {
     }
 }
 
-/// Integrates the parabola through `k` and the slopes before.
 #[inline]
 fn integral<S: State>(x0: &S, k: &S, [last, older]: &[Past<S>; 2], h: f64) -> Cubic<S> {
     // Newton's divided differences of the slope, by time in steps.

@@ -91,7 +91,6 @@ impl<S: State> Dense<S> for AnyDense<S> {
 pub trait Fits<S>: Sized {
     fn wide(self) -> AnyDense<S>;
 
-    /// Returns the one in `any`, if it is of this kind.
     fn narrow(any: &mut AnyDense<S>) -> Option<&mut Self>;
 }
 
@@ -367,8 +366,7 @@ impl Any {
         }
     }
 
-    /// Returns the method with `tolerance`, in ticks of `tick` (s): see [`ByNeed`] and
-    /// [`Controlled`]. `None` for a method that cannot control its error.
+    /// Returns the method with `tolerance`, in ticks of `tick` (s); `None` without error control.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64, tick: f64) -> Option<Self> {
         let both = Tolerance::both(tolerance);

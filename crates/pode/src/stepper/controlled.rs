@@ -42,10 +42,7 @@ impl Tolerance {
 /// be as long as the whole simulation.
 ///
 /// A step with an estimate beyond the tolerance is refused and repeated, shorter, within the limit
-/// on pieces. The step's length is kept over events.
-///
-/// # References
-/// `[HNW93]` II.4: elementary controller.
+/// on pieces. The step's length is kept over events. `[HNW93]` II.4: elementary controller.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Controlled<T> {
     /// The method; it must have an error estimate.

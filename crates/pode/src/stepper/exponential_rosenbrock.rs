@@ -17,10 +17,7 @@ use crate::stepper::{Field, Step, Stepper};
 ///
 /// Stability: that of the linear part, which is solved: L-stable, without numerical damping. Work:
 /// 18 matrix products, and 4 for every doubling of |h J| beyond 4. Choose it for nearly linear
-/// modes, an oscillator with a weak nonlinearity, whose phase counts.
-///
-/// # References
-/// `[HO10]` 2.4; `[HOS09]`.
+/// modes, an oscillator with a weak nonlinearity, whose phase counts. `[HO10]` 2.4; `[HOS09]`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ExponentialRosenbrock;
 

@@ -15,10 +15,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// must be exact to keep order 3. Exact where the mode is linear with a forcing that is a parabola
 /// over the step. Dense output locally of fourth order. All else, work included, is that of
 /// [`ExponentialRosenbrock`](crate::stepper::ExponentialRosenbrock); choose it where that would
-/// need shorter steps.
-///
-/// # References
-/// `[HOS09]`; `[HO10]` 2.4.
+/// need shorter steps. `[HOS09]`; `[HO10]` 2.4.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Exprb32;
 

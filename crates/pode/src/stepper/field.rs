@@ -15,7 +15,6 @@ pub trait Field<S: State> {
     /// Evaluates the derivative at the fraction `tau` of the step.
     fn derivative(&mut self, tau: f64, x: &S) -> S;
 
-    /// Evaluates the derivative's Jacobian by the state, at the fraction `tau` of the step.
     fn jacobian(&mut self, tau: f64, x: &S) -> S::Matrix {
         if self.nature().is_linear() {
             return unit_differences(|x| self.derivative(tau, x));

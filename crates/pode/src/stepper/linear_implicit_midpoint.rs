@@ -17,10 +17,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// |1 + τ w − τ (1 − τ) w²/2|² = 1 − τ (1 − τ) sin⁴φ (1 − σ)(3 − σ) ≤ 1.
 /// Motion much faster than the step does not die out: it changes sign with every step, with the
 /// factor 1 − 4/(h |λ|). Choose it for contacts too stiff for the tick whose energy counts more
-/// than their shape.
-///
-/// # References
-/// `[HW96]` IV.7 (one stage, γ = 1/2), IV.11, theorem 11.2 (J. von Neumann's).
+/// than their shape. `[HW96]` IV.7 (one stage, γ = 1/2), IV.11, theorem 11.2 (J. von Neumann's).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LinearImplicitMidpoint;
 

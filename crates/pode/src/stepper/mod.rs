@@ -66,7 +66,6 @@ use crate::state::State;
 /// A step that was taken.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Step<S, D> {
-    /// The solution over the step.
     pub dense: D,
     /// The embedded estimate of the end's error, entry by entry; zero without one.
     pub error: S,
@@ -81,7 +80,6 @@ impl<S: State, D> Step<S, D> {
         Self { dense, error: S::ZERO, is_accepted: true }
     }
 
-    /// The same with another form of dense output.
     #[inline]
     pub(crate) fn map<E>(self, form: impl FnOnce(D) -> E) -> Step<S, E> {
         let Self { dense, error, is_accepted } = self;
@@ -98,7 +96,6 @@ impl<S: State, D> Step<S, D> {
 
 /// A method that takes one step at a time.
 pub trait Stepper: Copy + Default + Debug + PartialEq {
-    /// Order of convergence.
     const ORDER: u32;
     /// Order of the dense output where a crossing is looked for.
     const DENSE: u32 = Self::ORDER;
@@ -110,12 +107,10 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     const JACOBIANS: u32 = 0;
     /// Whether it expands the solution before it knows how long its step is.
     const IS_EXPANDED: bool = false;
-    /// Its name on the command line.
     const NAME: &'static str;
 
     /// What it carries from one step to the next.
     type Memory<S: State>: Memory;
-    /// Its dense output.
     type Dense<S: State>: Dense<S> + Copy + PartialEq + Send;
 
     /// Steps from `x0` by `h` (s).
@@ -127,8 +122,7 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
         h: f64,
     ) -> Step<S, Self::Dense<S>>;
 
-    /// Looks ahead from `x0`, where the step may be about as long as `scale` (s): afterwards its
-    /// memory knows how far a step reaches ([`Memory::reach`]).
+    /// Looks ahead from `x0` by about `scale` (s), to know a step's reach ([`Memory::reach`]).
     #[inline]
     fn prepare<S: State>(
         &self,
@@ -151,8 +145,7 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     ) {
     }
 
-    /// Whether a step in a mode of this `nature` is made to end behind an expected event: its end
-    /// is of a higher order than the dense output.
+    /// Returns `true` if steps end behind expected events: the end's order exceeds the inside's.
     #[inline]
     fn aims(&self, _nature: &Nature) -> bool {
         Self::DENSE < Self::ORDER

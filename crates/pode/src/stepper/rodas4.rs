@@ -12,9 +12,7 @@ use crate::stepper::{Field, Step, Stepper};
 ///
 /// Stability: L-stable and stiffly accurate, as its embedded method is. Choose it for stiff modes
 /// that must be followed closely: at an error of 1e-4 and below it is the cheapest implicit method
-/// here.
-/// # References
-/// `[HW96]` VI.4, and its code RODAS: coefficients of METH 1 and the dense output.
+/// here. `[HW96]` VI.4, and its code RODAS: coefficients of METH 1 and the dense output.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Rodas4;
 

@@ -3,8 +3,7 @@
 use crate::state::State;
 use crate::stepper::Field;
 
-/// Distance of the places in steps: near enough that the error is small beside the step's own, and
-/// far enough that rounding is 1e-13 of the derivative.
+/// Distance of the places in steps: near for a small error, far for a rounding of 1e-13.
 const PART: f64 = 1.0 / 64.0;
 
 /// Returns h ∂f/∂t at the start (0, `x0`), where the derivative is `f0`; `h` is the step's length.

@@ -6,7 +6,6 @@ use pode::{
     Simulator, Stepper,
 };
 
-/// Mass (kg).
 pub const MASS: f64 = 0.01;
 
 /// Fraction of a radian of the contact's oscillation in one step of RK4.
@@ -22,7 +21,6 @@ pub const CONTACTS: [[f64; 4]; 3] = [
 /// A head that falls on F = −k min(x, 0): height (m) and speed (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Head {
-    /// Stiffness (N/m).
     pub k: f64,
 }
 
@@ -52,7 +50,6 @@ impl Model for Head {
         [x[1], self.readout(mode, x, &()) / MASS - G]
     }
 
-    /// Returns the force of the contact (N).
     fn readout(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
         match mode {
             Mode::Flight => 0.0,

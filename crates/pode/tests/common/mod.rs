@@ -12,7 +12,6 @@ use pode::{
 
 pub const G: f64 = 9.81;
 
-/// Step sizes (s) of every case.
 pub const STEPS: [f64; 3] = [1e-4, 1e-3, 7e-3];
 
 /// Tick phases: shifts of the start, in ticks.
@@ -141,7 +140,6 @@ impl Resets for Ball {
     }
 }
 
-/// Writes the Taylor series of a state.
 type SeriesOf<P, const N: usize> = fn(&P, &mut Expansion<[f64; N]>);
 
 /// A model of one mode without input, as functions of `of`; [`OneMode::new`] has no guards.

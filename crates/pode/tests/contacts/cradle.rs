@@ -30,7 +30,6 @@ struct Cradle {
 }
 
 impl Cradle {
-    /// Lifts the first `lifted` balls to `angle` (rad).
     fn lifted(self, lifted: usize, angle: f64) -> Simulator<Self, Rk4> {
         let start = std::array::from_fn(|i| if i < lifted { -angle * LENGTH } else { 0.0 });
         Simulator::new(self, Rk4, Limits::default(), (), start)

@@ -5,7 +5,6 @@ use pode::{Resets, Simulator, Stepper, Tick};
 
 use pode::RunRecorder;
 
-/// The time (s), as an input.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Clock(pub f64);
 

@@ -54,7 +54,6 @@ pub fn step<T: Stepper>(
     whole_step::<T>(problem, start, memory, h).dense
 }
 
-/// Returns a step from the exact state at `t`, without memory.
 pub fn first_step<T: Stepper>(problem: Problem, t: f64, h: f64) -> T::Dense<[f64; 2]> {
     step::<T>(problem, (t, &exact(t)), &mut T::Memory::default(), h)
 }
@@ -63,7 +62,6 @@ pub fn distance(a: &[f64; 2], b: &[f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// Asserts that halving the step divides `error` by 2^`order`.
 #[track_caller]
 pub fn check_order(what: impl std::fmt::Display, order: f64, error: impl Fn(f64) -> f64, h: f64) {
     let observed = (error(h) / error(0.5 * h)).log2();

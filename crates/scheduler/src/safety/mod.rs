@@ -9,14 +9,13 @@
 //! | **Condemned** | fade; from zero → Returning over `n` | as trusted | fade | fade |
 //! | **Returning** | blend towards the voice; at its end → Following | start again over `n` | → Outage, hold | → Condemned, hold |
 //!
-//! The first tick of an outage or fault holds the last force; zero is sent [`FADE`] after it.
-//! A held or fading force is passive: where the key moves with it, it falls like that of a relaxing
+//! The first tick of an outage or fault holds the last force; zero is sent [`FADE`] after it. A
+//! held or fading force is passive: where the key moves with it, it falls like that of a relaxing
 //! spring of [`RELAXATION`], and it never rises again. It gives the finger at most the energy of
 //! that spring, F²/(2 k), 31 mJ of 25 N and 50 µJ of 1 N, however fast the key comes up, and beyond
-//! that only what the force changes within a tick.
-//! A fault must reach zero before the voice is felt again; an outage may end on the way.
-//! A skipped tick is an outage of every key. A key begins as after a long outage, so that power-up
-//! has no force step either.
+//! that only what the force changes within a tick. A fault must reach zero before the voice is felt
+//! again; an outage may end on the way. A skipped tick is an outage of every key. A key begins as
+//! after a long outage, so that power-up has no force step either.
 //!
 //! Towards a voice a force never changes faster than the slew limit: the voice's own gate does not
 //! know the force sent in its stead. The fade to zero has its own time, [`FADE`].
@@ -61,7 +60,6 @@ enum Trust {
 }
 
 impl Trust {
-    /// Returns the worst that is known about a turn.
     fn of(turn: &VoiceOutput, sample: &KeySample) -> Self {
         if turn.fault.is_some() || !turn.force.is_finite() {
             Self::Fault
@@ -108,15 +106,13 @@ struct KeySafety {
 }
 
 impl KeySafety {
-    /// State of a key to which nothing was sent for a long time.
     const SILENT: Self = Self {
         state: SafetyState::Outage { held: SAFE_FORCE, ticks: u32::MAX, left: 0 },
         sent: SAFE_FORCE,
         position: 0.0,
     };
 
-    /// Applies one row of the table for a key at `position` (m), `ticks` after the last one;
-    /// returns the force to send (N).
+    /// Applies a row of the table at `position` (m), `ticks` later; returns the force to send (N).
     fn step(
         &mut self,
         trust: Trust,
@@ -251,7 +247,6 @@ fn towards(sent: f64, wanted: f64, reach: f64) -> f64 {
     if change.abs() <= reach { wanted } else { sent + reach.copysign(change) }
 }
 
-/// Limits of a force's rate of change.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Ramps {
     /// Ticks that fit into [`FADE`], at least 1.

@@ -47,7 +47,6 @@ impl<const N: usize> Solout<f64, [f64; N]> for Sampler<'_> {
     }
 }
 
-/// Runs `problem` to its end; `after` may change the state after a reset.
 pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>, S>(
     problem: &P,
     t_end: f64,

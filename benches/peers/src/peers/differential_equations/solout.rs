@@ -45,7 +45,6 @@ where
 }
 
 impl<const N: usize, const G: usize, P: Problem<N, G>> Watcher<'_, N, G, P> {
-    /// Finds the first guard that has fallen in the step from `from` to `to` (s), and its time.
     fn earliest<I: Interpolation<f64, [f64; N]> + ?Sized>(
         &self,
         (from, to): (f64, f64),

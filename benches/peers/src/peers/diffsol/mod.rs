@@ -86,7 +86,6 @@ fn entry<const N: usize, const G: usize, P: Problem<N, G>>(
     Entry { code: CODE, method: name, setting, knob: tolerance, note: method.note(), run: run() }
 }
 
-/// Builds the problem for the crate, before the clock runs.
 fn build<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: P,
     mode: Rc<Cell<P::Mode>>,

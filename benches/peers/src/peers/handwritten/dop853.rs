@@ -11,7 +11,6 @@ use crate::problem::{Problem, armed};
 /// First step (s): the motion starts from rest, and the step can grow sixfold at once.
 const FIRST: f64 = 1e-3;
 
-/// Number of steps at which a run fails.
 const MOST_STEPS: u32 = 1_000_000;
 
 struct Integrator<'a, P: Problem<N, G>, const N: usize, const G: usize> {
@@ -28,7 +27,6 @@ struct Integrator<'a, P: Problem<N, G>, const N: usize, const G: usize> {
     evaluations: u64,
 }
 
-/// Runs `problem` to its end at `tolerance`, relative and absolute.
 pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     t_end: f64,
@@ -74,7 +72,6 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         self.watched = armed(self.problem, self.mode, &self.x);
     }
 
-    /// Tries a step of `h` and keeps it, or its part up to the first event.
     #[inline]
     fn attempt(&mut self, tolerance: f64, log: &mut Log) -> Result<(), String> {
         let (problem, mode) = (self.problem, self.mode);
@@ -110,7 +107,6 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         }
     }
 
-    /// Keeps the step up to its first event, and continues there in the new mode.
     fn leave(&mut self, end: &[f64; N], guards: &[f64; G], log: &mut Log) -> Result<(), String> {
         let dense = self.dense(end);
         let (theta, guard) = self.earliest(&dense, guards);
@@ -129,7 +125,6 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         Dense::new(&f, self.time, (&self.x, end), self.h, &mut self.k)
     }
 
-    /// Returns the first guard that falls through zero, and the part of the step before it.
     fn earliest(&self, dense: &Dense<N>, end: &[f64; G]) -> (f64, usize) {
         let mut first = (1.0, 0);
         for i in (0..G).filter(|i| self.watched[*i] && end[*i] <= 0.0) {
@@ -145,7 +140,6 @@ impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, 
         first
     }
 
-    /// Records the wanted states of a step without an event; does nothing in timed runs.
     fn sample(&mut self, end: &[f64; N], log: &mut Log) {
         let (time, h) = (self.time, self.h);
         let mut dense = None;

@@ -5,7 +5,6 @@ use super::root::falling;
 use crate::log::Log;
 use crate::problem::{Problem, armed};
 
-/// Runs `problem` to its end with steps of `h` (s), restarted at each event.
 pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     t_end: f64,

@@ -79,7 +79,6 @@ pub(super) struct Dense<const N: usize> {
 }
 
 impl<const N: usize> Dense<N> {
-    /// Evaluates the three extra stages of the dense output.
     pub(super) fn new(
         f: &impl Fn(f64, &[f64; N]) -> [f64; N],
         time: f64,

@@ -9,7 +9,6 @@ use crate::problem::Problem;
 
 pub(super) struct LastStep;
 
-/// Returns the crate's defaults, except step lengths and output.
 fn stepper<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
     flight: Flight<'_, N, G, M, P>,
     (from, start): (f64, SVector<f64, M>),

@@ -12,7 +12,6 @@ use crate::peers::handwritten::falling;
 use crate::problem::Problem;
 
 pub(super) trait Solver {
-    /// Integrates with sparse output from `from` to `until` (s), or until a guard falls.
     fn integrate<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
         flight: Flight<'_, N, G, M, P>,
         from: (f64, SVector<f64, M>),
@@ -21,7 +20,6 @@ pub(super) trait Solver {
         tolerance: f64,
     ) -> (Result<Stats, IntegrationError>, SolverResult<f64, SVector<f64, M>>);
 
-    /// Returns a continuous solution over the one step from `from` to `until` (s).
     fn over_step<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
         flight: Flight<'_, N, G, M, P>,
         from: (f64, SVector<f64, M>),
@@ -30,7 +28,6 @@ pub(super) trait Solver {
     ) -> impl Fn(f64) -> [f64; N];
 }
 
-/// Runs `problem` to its end at `tolerance`, relative and absolute.
 pub(super) fn run<const N: usize, const G: usize, const M: usize, P: Problem<N, G>, S: Solver>(
     problem: &P,
     t_end: f64,
@@ -74,13 +71,11 @@ pub(super) fn run<const N: usize, const G: usize, const M: usize, P: Problem<N, 
     Ok(())
 }
 
-/// Records wanted states until `t`; repeats the step only if there are any.
 fn sample<const N: usize, F: Fn(f64) -> [f64; N]>(log: &mut Log, t: f64, step: impl Fn() -> F) {
     let mut at = None;
     log.sample(t, |time| at.get_or_insert_with(&step)(time));
 }
 
-/// Returns the first guard that falls through zero, and the part of the step before it.
 fn earliest<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     mode: P::Mode,

@@ -21,7 +21,6 @@ impl<'a, const N: usize, const G: usize, const M: usize, P: Problem<N, G>> Fligh
         Self { count, problem, mode, watched: armed(&problem, mode, x) }
     }
 
-    /// Marks the guards that have fallen through zero at `x`, and starts to watch positive ones.
     pub(super) fn fallen(&mut self, x: &[f64; N]) -> [bool; G] {
         let guards = self.problem.guards(self.mode, x);
         std::array::from_fn(|i| {

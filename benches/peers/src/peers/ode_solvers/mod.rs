@@ -61,7 +61,6 @@ pub(crate) fn entries<const N: usize, const G: usize, const M: usize, P: Problem
     all
 }
 
-/// Returns a run that repeats the step with an event, with the method `S`.
 fn searched<
     const N: usize,
     const G: usize,

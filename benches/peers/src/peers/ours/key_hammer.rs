@@ -200,7 +200,6 @@ impl Guarded for KeyHammer {
 }
 
 impl Resets for KeyHammer {
-    /// Release and landing keep the state; the string reverses the hammer.
     fn reset(&self, mode: Mode, guard: GuardId, x: &[f64; 4], _s: &Motion) -> Reset<Self> {
         if guard == STRING {
             let state = [self.constants[9], x[1], -self.restitution * x[2], x[3]];

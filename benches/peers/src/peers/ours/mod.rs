@@ -24,7 +24,6 @@ const CODE: &str = "pode";
 /// A model of `pode` on a problem; the peers receive the same equations.
 #[derive(Clone, Copy)]
 pub(crate) struct Ours<M: Model, I> {
-    /// Model with the problem's parameters; its guards have the reference's names.
     pub(crate) model: M,
     pub(crate) input: I,
     pub(crate) start: (M::Mode, M::State),
@@ -46,7 +45,6 @@ impl<T, F: Fn(f64) -> T> Driven<T> for F {
     }
 }
 
-/// Returns the rows of a model and an input with Taylor series.
 pub(crate) fn expanded<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
@@ -121,8 +119,7 @@ where
     }]
 }
 
-/// Runs in one tick from start to end: with the exact flow where a mode is linear, and with RK4,
-/// which is exact on parabolas.
+/// Runs in one tick: with the exact flow where a mode is linear, and with RK4 (exact on parabolas).
 fn one_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> [Entry; 2]
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
@@ -153,7 +150,6 @@ fn offline() -> Limits {
     }
 }
 
-/// Returns a run with `stepper` in ticks of `h` (s).
 fn run<const N: usize, M, I, T>(
     ours: Ours<M, I>,
     stepper: T,

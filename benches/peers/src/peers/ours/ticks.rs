@@ -6,7 +6,6 @@ use pode::{Advance, Event, EventCause, Guarded, Limits, Piece, Resets, Signal, S
 use super::{Driven, Ours};
 use crate::log::Log;
 
-/// The input over one tick of `h` (s).
 struct OfTick<'a, I> {
     input: &'a I,
     tick: f64,
@@ -59,7 +58,6 @@ where
     }
 }
 
-/// Runs to `t_end` with ticks of `h` (s).
 pub(super) fn run<const N: usize, M, I, T>(
     ours: &Ours<M, I>,
     method: (T, Limits),

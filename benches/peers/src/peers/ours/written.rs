@@ -17,7 +17,6 @@ pub(crate) struct Written<P, const N: usize, const G: usize>(pub(crate) P);
 pub(crate) trait Specified {
     type Mode;
 
-    /// Returns the guards of a mode, in the order of [`Problem::guards`].
     fn specs(mode: Self::Mode) -> &'static [GuardSpec];
 
     /// Entry of the state that is the only guard of every mode, if any.

@@ -10,7 +10,6 @@ use super::worker::boxed_array;
 /// Cost of a turn beside its units of work, in units.
 const TURN: u64 = 4;
 
-/// Turns over which work is averaged.
 const SPAN: u64 = 16;
 
 /// Inverse of the fraction of the larger load by which lanes must differ for a move.
@@ -61,7 +60,6 @@ impl MeasuredWork {
         };
     }
 
-    /// Returns the work of another lane beside its voices.
     pub(super) const fn lag(&self) -> u64 {
         self.lag
     }
@@ -90,7 +88,6 @@ mod tests {
 
     use super::*;
 
-    /// Returns the measured work after many ticks in which each key did `work` units.
     fn after(work: impl Fn(usize) -> u32) -> MeasuredWork {
         let mut measured = MeasuredWork::new();
         let mut turns = boxed_array::<VoiceOutput>();

@@ -30,7 +30,6 @@ const AT_REST: f64 = 0.125;
 /// Fraction of its time that lane 0 keeps, whatever a tick takes beside its lanes.
 const MIN_INLINE: f64 = 0.25;
 
-/// Work of a lane in one tick.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LaneWork {
     turns: u32,
@@ -72,7 +71,6 @@ impl LaneWork {
 #[derive(Clone, Copy, Debug)]
 struct LearnedTime {
     ns: f64,
-    /// Tick in which it was learned last.
     tick: u64,
     samples: u32,
 }
@@ -100,11 +98,9 @@ pub(super) struct CostModel {
     learned: WorkCosts,
     /// Costs for virtual time, where no clock decides.
     constant: WorkCosts,
-    /// Turn without work, once one was measured.
     turn: Option<LearnedTime>,
     /// Unit of work of each kind, in the order of `learned`.
     units: [Option<(VoiceKind, LearnedTime)>; MAX_KINDS],
-    /// Time of a tick beside its lanes.
     beside: LearnedTime,
 }
 
@@ -221,7 +217,6 @@ impl CostModel {
 /// A lane's time in a tick by its thread's clock.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CpuClock {
-    /// Reading of the thread's clock when the lane began.
     began: Nanos,
     /// Time of the lane (ns); infinite where no clock decides.
     time: f64,
@@ -237,8 +232,7 @@ impl LaneClock for CpuClock {
     }
 }
 
-/// Returns the budget of a lane's moving or resting voices, where the lane has `time` (ns) and
-/// began when its thread's clock read `began`.
+/// Returns the budget of a lane's moving or resting voices: `time` (ns) from the reading `began`.
 pub(super) fn budget(
     costs: &WorkCosts,
     (patience, is_moving): (WaitLimit, bool),

@@ -19,8 +19,7 @@ pub struct LaneCounters {
     pub passed: u64,
 }
 
-/// Note events of a key's late turn, the limit that cut it off, and whether its force must count as
-/// fresh.
+/// Note events and limit of a key's late turn, and whether its force must count as fresh.
 #[derive(Clone, Debug, Default)]
 pub struct LateResult {
     events: Events,
@@ -29,7 +28,6 @@ pub struct LateResult {
 }
 
 impl LateResult {
-    /// Keeps the events of `turn`, which came too late.
     pub fn keep(&mut self, turn: &VoiceOutput) {
         self.events.extend(&turn.events);
         self.fresh |= turn.fresh || turn.fault.is_some();
@@ -52,7 +50,6 @@ impl LateResult {
     }
 }
 
-/// Late results of all keys.
 #[derive(Debug)]
 pub(super) struct LateResults {
     kept: Box<[LateResult; KEYS]>,

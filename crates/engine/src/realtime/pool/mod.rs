@@ -71,11 +71,7 @@ pub enum WaitLimit {
     /// No limit. No clock decides anything then, as virtual time requires.
     Endless,
     /// Until host time `time`.
-    Until {
-        time: Nanos,
-        /// Lanes' time in a punctual tick.
-        share: Nanos,
-    },
+    Until { time: Nanos, share: Nanos },
 }
 
 impl WaitLimit {
@@ -121,7 +117,6 @@ pub struct ThreadedLanes {
     at: (u64, f64),
 }
 
-/// CPU times of the last tick on all threads.
 #[derive(Clone, Copy, Debug, Default)]
 struct LaneTimes {
     inline: Nanos,

@@ -97,7 +97,6 @@ impl RemoteLane {
         Some(voices? + measured.lag())
     }
 
-    /// Returns the slots that are run first, if they are at home.
     pub(super) fn awake(&mut self) -> Option<&mut Vec<Slot<PanicGuard>>> {
         self.shares[AWAKE].batch.as_mut().map(|batch| &mut batch.slots)
     }

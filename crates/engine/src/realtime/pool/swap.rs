@@ -21,7 +21,6 @@ const ROOM_WITHIN: Duration = Duration::from_millis(250);
 
 /// Rejected change, which is returned.
 pub enum Refused {
-    /// The key has no voice.
     NoSuchVoice(Box<VoiceChange>),
     /// As many changes are waiting as there are keys; room is free after some ticks.
     Full(Box<VoiceChange>),
@@ -128,7 +127,6 @@ impl VoiceSwaps {
     }
 }
 
-/// Receiving end, held by the tick.
 #[derive(Debug)]
 pub(super) struct InnerEnd {
     into: Consumer<QueuedChange>,

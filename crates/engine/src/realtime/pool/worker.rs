@@ -31,7 +31,6 @@ use crate::realtime::{clock, memory};
 /// Shares of a lane: [`AWAKE`], and the voices at rest.
 pub(super) const SHARES: usize = 2;
 
-/// Share that is run first.
 pub(super) const AWAKE: usize = 0;
 
 /// Stack of a lane's thread; all of it is locked into memory.
@@ -124,7 +123,6 @@ pub(super) struct Remote {
 }
 
 impl Remote {
-    /// Starts a thread for lane `number`; an error if the system provides none.
     pub(super) fn start(
         number: usize,
         shared: Arc<PoolState>,

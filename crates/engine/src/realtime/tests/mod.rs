@@ -52,7 +52,6 @@ fn timetable(start: Nanos) -> Timetable {
     Timetable::new(start, Period::from_hz(HZ).unwrap())
 }
 
-/// Calls `test` with an assembly on `n_lanes`, and returns the forces sent to key 60.
 fn with_assembly(
     n_lanes: usize,
     test: impl FnOnce(&mut Assembly<'_, HeldKeys, Nobody>),

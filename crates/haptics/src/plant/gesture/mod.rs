@@ -24,7 +24,6 @@ pub enum Touch {
 /// Position and velocity are commands: the finger follows them as its stiffness allows. Both and
 /// the acceleration are continuous for any release; until the release a faster gesture is never
 /// behind a slower one on its way down.
-///
 /// Times share the origin of `t`. An unknown `release` is infinite, and may be set later.
 ///
 /// A finger that must soon play its key again is not fully lifted: the next gesture takes over at
@@ -89,14 +88,12 @@ impl Gesture {
         self.command(t).velocity
     }
 
-    /// Returns the time at which the unhindered finger passes the key's rest position (s): the
-    /// start if pressed, later if struck. The release is ignored.
+    /// Returns the time (s) at which the unhindered finger passes the key's rest, released or not.
     pub fn arrival(&self) -> f64 {
         self.start + StrokeProfile::of(self).arrival()
     }
 
-    /// Returns the time from its start at which the unhindered finger passes `depth` (s), which
-    /// lies between its full speed and its hold (m).
+    /// Returns the time (s) from the start to `depth` (m), between full speed and hold, unhindered.
     pub fn passes(&self, depth: f64) -> f64 {
         StrokeProfile::of(self).passes(depth)
     }
@@ -139,12 +136,10 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Returns a gesture that starts at 1 s and is never released.
     fn endless(touch: Touch, speed: f64) -> Gesture {
         Gesture { start: 1.0, touch, speed, ..Gesture::USUAL }
     }
 
-    /// Returns speeds of musical strokes, slow to fast (m/s).
     fn speeds() -> impl Iterator<Item = f64> {
         (0..=50).map(|i| 0.02 * 150.0_f64.powf(f64::from(i) / 50.0))
     }
@@ -225,7 +220,6 @@ mod tests {
         assert!((command.position + 0.01).abs() < 1e-15 && command.velocity == 0.0);
     }
 
-    /// Generates plausible and some implausible gestures.
     fn any_gesture() -> impl Strategy<Value = Gesture> {
         let touch = prop_oneof![Just(Touch::Pressed), Just(Touch::Struck)];
         let slow_to_fast = (-3.9..1.1_f64).prop_map(f64::exp);

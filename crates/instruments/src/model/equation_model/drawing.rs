@@ -35,13 +35,11 @@ pub(super) fn draw<F: Equations + Clone, const N: usize, const C: usize>(
     }
 }
 
-/// Returns the number of sketch bodies of a table's body: one for the permanent lines, and one for
-/// each line of some modes only.
+/// Returns the number of sketch bodies: one for permanent lines, one for each line of some modes.
 fn drawn(body: &BodyTable) -> u32 {
     body.outlines.iter().filter(|outline| !outline.modes.is_empty()).map(|_| 1).sum::<u32>() + 1
 }
 
-/// Draws the permanent lines of a body, then those of some modes.
 fn draw_body(
     body: &BodyTable,
     outputs: &dyn Fn(usize) -> Option<&'static str>,

@@ -128,7 +128,6 @@ impl Tangent {
     }
 }
 
-/// Returns the slope of `function` at `x`, where its value is `value`.
 fn slope(graph: &mut Graph, function: UnaryFunction, x: Node, value: Node) -> Node {
     match function {
         UnaryFunction::Sin => graph.unary(UnaryFunction::Cos, x),

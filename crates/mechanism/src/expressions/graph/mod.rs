@@ -97,8 +97,7 @@ impl Graph {
             .any(|it| matches!(self.operation(it), NodeOperation::Symbol(place) if on(*place)))
     }
 
-    /// Returns every node on which `outputs` depend, themselves included, operands first; empty if
-    /// work on the graph was given up.
+    /// Returns `outputs` and what they depend on, operands first; empty if work was given up.
     pub fn reached(&self, outputs: &[Node]) -> Vec<Node> {
         let Some(last) = outputs.iter().max() else { return Vec::new() };
         // Passing over a node costs much less than an operand.

@@ -2,8 +2,7 @@ use std::collections::BTreeMap;
 
 use super::{Graph, Node, NodeOperation};
 
-/// Most parts of a sum or product that are merged into a larger one: otherwise a sum that is built
-/// term by term would hold all its beginnings in full.
+/// Most merged parts of a sum or product: one built term by term would hold all its beginnings.
 const MOST_FLATTENED: usize = 48;
 
 #[derive(Default)]
@@ -58,8 +57,7 @@ impl Product {
         Self { number: 1.0, factors: BTreeMap::new() }
     }
 
-    /// Multiplies by `node` to `exponent`: the factors of a product one by one, the number of a
-    /// multiple separately.
+    /// Multiplies by `node` to `exponent`, factor by factor, the number of a multiple separately.
     pub(super) fn multiply(&mut self, graph: &Graph, node: Node, exponent: i32) {
         graph.spend(1);
         match graph.operation(node) {

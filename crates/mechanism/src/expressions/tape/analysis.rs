@@ -88,7 +88,6 @@ impl Tape {
         groups
     }
 
-    /// Returns the angles in order of first need.
     fn angles(&self) -> Vec<AngleValues> {
         let uses = self.uses();
         let mut angles: Vec<AngleValues> = Vec::new();

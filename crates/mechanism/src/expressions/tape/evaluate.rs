@@ -5,7 +5,6 @@ use super::{Argument, Instruction, Tape, TapeSlot};
 pub struct TapeArguments<'a> {
     pub constants: &'a [f64],
     pub state: &'a [f64],
-    /// Input and its rates.
     pub input: [f64; 4],
     pub extra: &'a [f64],
 }

@@ -7,7 +7,6 @@ use crate::expressions::graph::Graph;
 
 const DEEPEST: u8 = 12;
 
-/// Most terms of a sum that is searched.
 const MOST_TERMS: usize = 256;
 /// Most work on all sums of a tape, in terms squared; beyond it only short sums are searched.
 const MOST_WORK: usize = 2_000_000;
@@ -81,7 +80,6 @@ impl Forms {
         collected(terms)
     }
 
-    /// Returns Σ `inner` times `outer` as a term.
     fn product_of_sum(
         &mut self,
         inner: Vec<Monomial>,
@@ -120,7 +118,6 @@ fn most_common(monomials: &[Monomial]) -> Option<(FormId, Side)> {
     most.map(|it| it.0)
 }
 
-/// Returns the power of `base` in a monomial, on the given side of the fraction line.
 fn power_of(monomial: &Monomial, (base, side): (FormId, Side)) -> i32 {
     let found = monomial.1.iter().find(|it| it.0 == base).map_or(0, |it| it.1);
     if side == Side::Above { found } else { -found }
@@ -136,7 +133,6 @@ fn divided((factor, mut factors): Monomial, base: FormId, exponent: i32) -> Mono
     (factor, factors)
 }
 
-/// Returns sorted terms with equal ones merged.
 fn collected(terms: Vec<(FormId, f64)>) -> Vec<(FormId, f64)> {
     let mut collected: BTreeMap<FormId, f64> = BTreeMap::new();
     for (id, factor) in terms {

@@ -5,7 +5,6 @@ use std::collections::{BTreeSet, HashMap};
 use super::{Argument, ArgumentLayout};
 use crate::expressions::graph::{BinaryFunction, Graph, Node, NodeOperation, Place, UnaryFunction};
 
-/// Index of a form in [`Forms`].
 pub(super) type FormId = usize;
 
 #[derive(Clone, PartialEq, Debug)]
@@ -16,7 +15,6 @@ pub(super) enum TapeForm {
     Sum(f64, Vec<(FormId, f64)>),
     /// Forms to a whole power each, sorted by form.
     Product(Vec<(FormId, i32)>),
-    /// Inverse of a value, 1/x.
     Inverse(FormId),
     Unary(UnaryFunction, FormId),
     Binary(BinaryFunction, FormId, FormId),
@@ -83,8 +81,7 @@ impl Forms {
     }
 }
 
-/// Returns the nodes that are computed or read, operands first; a node given ready hides its
-/// operands.
+/// Returns the nodes that are computed or read, operands first; ready nodes hide their operands.
 fn needed(graph: &Graph, layout: &ArgumentLayout, outputs: &[Node]) -> Vec<Node> {
     let mut wanted: BTreeSet<Node> = outputs.iter().copied().collect();
     let mut all = Vec::new();

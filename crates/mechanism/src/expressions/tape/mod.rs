@@ -64,9 +64,7 @@ pub struct Tape {
     pub outputs: Vec<TapeSlot>,
 }
 
-/// Arguments that hold the values of symbols, and expressions that are given ready.
-///
-/// The layout of the state is the model's own: it may lack coordinates.
+/// Arguments for symbols and for ready expressions; the state's layout may lack coordinates.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct ArgumentLayout {
     places: std::collections::HashMap<Place, Argument>,
@@ -74,12 +72,10 @@ pub struct ArgumentLayout {
 }
 
 impl ArgumentLayout {
-    /// Assigns `argument` to the symbol at `place`.
     pub fn place(&mut self, place: Place, argument: Argument) {
         self.places.insert(place, argument);
     }
 
-    /// Declares that `argument` holds the value of `node`.
     pub fn ready(&mut self, node: crate::expressions::graph::Node, argument: Argument) {
         self.ready.insert(node, argument);
     }

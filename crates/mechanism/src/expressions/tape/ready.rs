@@ -66,7 +66,6 @@ fn constant_part(graph: &mut Graph, node: Node, constant: &BTreeSet<Node>) -> Op
 }
 
 impl Forms {
-    /// Replaces factors or terms that together are given ready.
     pub(super) fn use_ready(&mut self, graph: &Graph, layout: &ArgumentLayout) {
         let mut ready: Vec<(Node, Argument)> =
             layout.ready.iter().map(|it| (*it.0, *it.1)).collect();

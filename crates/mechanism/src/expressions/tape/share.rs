@@ -123,9 +123,7 @@ fn with_inverse(factor: &mut (FormId, i32), inverses: &BTreeMap<FormId, FormId>)
     }
 }
 
-/// Pairs of parts, in sums or in products.
 trait Pairs {
-    /// Returns the number of parts that can be in pairs.
     fn parts(&self, form: &TapeForm) -> usize;
 
     fn pairs(&self, form: &TapeForm) -> Vec<FormPair>;

@@ -101,7 +101,6 @@ impl TapeWriter {
         }
     }
 
-    /// Returns the product of powers, the earliest ready first; `None` without factors.
     fn powers(&mut self, factors: &[(TapeSlot, i32)]) -> Option<TapeSlot> {
         let mut queue = BinaryHeap::new();
         for (slot, exponent) in factors {
@@ -130,7 +129,6 @@ impl TapeWriter {
     }
 }
 
-/// Returns the duration of an instruction in cycles.
 const fn latency(instruction: &Instruction) -> u32 {
     match instruction {
         Instruction::Number(_) | Instruction::Argument(_) => 0,

@@ -30,7 +30,6 @@ impl<'a> SeriesCoefficients<'a> {
         &self.values[..self.values.len() - factors]
     }
 
-    /// Advances to the next order, in which the state has the coefficients `state`.
     pub fn advance(&mut self, state: &[f64]) {
         self.order += 1;
         let k = self.order;

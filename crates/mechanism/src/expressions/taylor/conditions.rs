@@ -4,11 +4,9 @@ use super::writing::Writing;
 use crate::expressions::graph::{BinaryFunction, UnaryFunction};
 use crate::expressions::tape::{Instruction, TapeSlot};
 
-/// Levels of the argument of functions of eˣ at which a series restarts.
-///
-/// Far from zero a softplus is a straight line to the last bit, and coefficients of any order do
-/// not show the approaching corner. A step no longer than from one level to the next detects it,
-/// whatever its tolerance.
+/// Levels of the argument of functions of eˣ at which a series restarts. Far from zero a softplus
+/// is a straight line to the last bit, and coefficients of any order do not show the approaching
+/// corner. A step no longer than from one level to the next detects it, whatever its tolerance.
 const LEVELS: [f64; 3] = [10.0, 20.0, 40.0];
 
 impl Writing {
@@ -61,8 +59,7 @@ fn sign(instruction: &Instruction) -> Option<TapeSlot> {
     }
 }
 
-/// Returns the argument of a function that has a corner from afar, and its multiplicity in the
-/// exponent.
+/// Returns the argument of a function that has a corner from afar, and its count in the exponent.
 fn corner(instruction: &Instruction) -> Option<(u8, TapeSlot)> {
     use UnaryFunction as F;
     let Instruction::Unary(function, x) = *instruction else { return None };

@@ -125,7 +125,6 @@ impl Writing {
         self.push(value, SeriesRule::Subtract(rising, falling))
     }
 
-    /// Writes ∫ slope dx, 0 at the start.
     fn integral(&mut self, slope: TapeSlot, of: TapeSlot) -> TapeSlot {
         self.push(Instruction::Number(0.0), SeriesRule::Driven { slope, of })
     }

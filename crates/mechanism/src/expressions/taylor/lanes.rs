@@ -19,7 +19,6 @@ impl LaneFactor {
     }
 }
 
-/// Sum of products in the rule of a value.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeriesLane {
     pub(super) of: TapeSlot,

@@ -3,7 +3,6 @@ use super::writing::Writing;
 use crate::expressions::tape::{Tape, TapeSlot};
 
 /// Tape with a recursion rule for the coefficients of each of its values.
-///
 /// Where a function's slope is missing, the tape is extended: that of tanh is 1 − tanh².
 #[derive(Clone, PartialEq, Debug)]
 pub struct Recursion {
@@ -17,7 +16,6 @@ pub struct Recursion {
 }
 
 impl Recursion {
-    /// Returns the recursion of a `tape` with the derivative as its first `entries` outputs.
     pub fn new(tape: &Tape, entries: usize) -> Self {
         let mut writing = Writing::default();
         for instruction in &tape.instructions {

@@ -15,18 +15,15 @@ pub enum SeriesRule {
     Scale(TapeSlot, TapeSlot),
     Product(TapeSlot, TapeSlot),
     Square(TapeSlot),
-    /// The first over the second.
     Quotient(TapeSlot, TapeSlot),
     /// The first over the constant second.
     Over(TapeSlot, TapeSlot),
-    /// Rate `slope` times the rate of `of`; the slope may follow the value, since only lower orders
-    /// of it count.
+    /// Rate `slope` times the rate of `of`; the slope may follow: only its lower orders count.
     Driven {
         slope: TapeSlot,
         of: TapeSlot,
     },
     Root(TapeSlot),
-    /// The first to the power of the constant second.
     Power(TapeSlot, TapeSlot),
     /// The slot with the sign that makes its value positive.
     Magnitude(TapeSlot),

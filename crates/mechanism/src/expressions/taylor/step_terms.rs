@@ -152,8 +152,7 @@ impl<'a> StepTerms<'a> {
         self.unless_zero(x, x, term)
     }
 
-    /// Returns a coefficient that is singular where `of` is zero: none where `of` stays zero, as in
-    /// a felt without contact, and NaN where it leaves zero.
+    /// Returns a coefficient singular at a zero of `of`: none if it stays zero, NaN if it leaves.
     fn unless_zero(&mut self, start: TapeSlot, of: TapeSlot, term: Term) -> Term {
         let [start, now] = [Some(self.carried(CarriedValue::Value(start))), self.now(of)];
         let [start, now] = [start, now].map(|it| self.times(it, it));

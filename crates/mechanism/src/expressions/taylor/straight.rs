@@ -7,9 +7,7 @@ use super::step_terms::StepTerms;
 use crate::expressions::tape::{Tape, TapeSlot, TapeWriter};
 
 /// Recursion as two tapes; their caller keeps the lanes and their sums.
-///
-/// A lane is a pair of factors a and b; its sum for the order k is Σ a(j) b(k − j) for j from 1 to
-/// k − 1.
+/// A lane is a pair of factors a and b; its sum for the order k is Σ a(j) b(k − j), 0 < j < k.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SeriesTapes {
     /// Maps constants, state and input to the outputs, the conditions, and the carried values.
@@ -18,10 +16,8 @@ pub struct SeriesTapes {
     /// carried values and the lanes' sums, to the coefficients of order k of outputs and
     /// conditions, then the first factors of all lanes, and the second ones.
     pub step: Tape,
-    /// Number of values that the steps receive from the start.
     pub carried: usize,
     pub lanes: usize,
-    /// Number of values with zeros that end the series, because a branch ends there.
     pub conditions: usize,
 }
 

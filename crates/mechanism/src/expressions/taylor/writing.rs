@@ -100,7 +100,6 @@ impl Writing {
         slot_of(self.rules.len() + ahead)
     }
 
-    /// Returns a function of `x` that changes with `slope` times the rate of x.
     pub(super) fn driven(
         &mut self,
         function: UnaryFunction,

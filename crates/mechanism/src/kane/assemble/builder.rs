@@ -10,7 +10,6 @@ use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::Mechanism;
 use crate::kane::system::ModeEquations;
 
-/// What all modes of a system share while their tables are made.
 pub(super) struct ModeContext<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) places: &'a [Place],
@@ -19,7 +18,6 @@ pub(super) struct ModeContext<'a> {
     pub(super) numbers: &'a GuardNumbers,
 }
 
-/// One mode while its table is made.
 pub(super) struct ModeBuilder<'a> {
     pub(super) context: &'a ModeContext<'a>,
     pub(super) name: &'a str,

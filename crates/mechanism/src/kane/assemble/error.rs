@@ -13,7 +13,6 @@ pub enum AssemblyError {
     TooManyModes(usize),
     TooManyGuards(usize),
     TooManyFunctions(usize),
-    /// Its functions were not made to their end.
     GivenUp(WorkEnd),
 }
 

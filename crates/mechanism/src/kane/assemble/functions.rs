@@ -7,8 +7,7 @@ use super::hoist::Hoisting;
 use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::tape::{self, Argument, ArgumentLayout, Tape};
 
-/// Functions by number that are evaluated instruction by instruction: for checks, and where no
-/// machine code can be made.
+/// Functions by number, interpreted: for checks, and where no machine code can be made.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct TapeFunctions {
     tapes: Vec<Tape>,
@@ -55,12 +54,10 @@ impl Functions for TapeFunctions {
     }
 }
 
-/// The functions so far, with what they have in common.
 #[derive(Debug)]
 pub(super) struct FunctionList {
     layout: ArgumentLayout,
     parameters: usize,
-    /// How many constants, parameters included, have a place.
     placed: usize,
     pub(super) hoisting: Hoisting,
     pub(super) functions: TapeFunctions,
@@ -147,7 +144,6 @@ impl FunctionList {
         tape.map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))
     }
 
-    /// Adds what a tape computes, once.
     pub(super) fn add_tape(&mut self, name: &str, tape: Tape) -> Result<FunctionId, AssemblyError> {
         let tapes = &mut self.functions.tapes;
         let number = tapes.iter().position(|it| *it == tape).unwrap_or(tapes.len());

@@ -106,10 +106,8 @@ fn way(
 }
 
 /// How an impact comes to rest: in the mode that has, beside the constraints of the mode after a
-/// rebound, the one whose rate is the separation.
-///
-/// An impulse is proportional to 1 + e, and so is what it does to the speeds: without a rebound
-/// they change by the part 1/(1 + e) of it.
+/// rebound, the one whose rate is the separation. An impulse is proportional to 1 + e, and so is
+/// what it does to the speeds: without a rebound they change by the part 1/(1 + e) of it.
 fn resting(
     graph: &mut Graph,
     functions: &mut FunctionList,

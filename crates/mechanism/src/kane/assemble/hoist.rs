@@ -4,11 +4,10 @@ use std::collections::HashMap;
 
 use crate::kane::graph::{Graph, Node, NodeOperation, Place};
 
-/// Constants that stand for expressions of the parameters alone: each as large as it can be, and
-/// none for a parameter or a number by itself.
+/// Constants for the largest expressions of parameters alone, beyond a parameter or a number.
 #[derive(Debug, Default)]
 pub(super) struct Hoisting {
-    /// How many parameters there are; constants have the numbers behind them.
+    /// Number of parameters; constants have the numbers behind them.
     parameters: usize,
     /// The expressions, in the order of their numbers.
     pub(super) constants: Vec<Node>,

@@ -3,7 +3,6 @@
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::system::ModeEquations;
 
-/// The places of a state, and what a mode makes of them.
 #[derive(Debug)]
 pub(super) struct StateOfMode<'a> {
     pub(super) state: &'a [Place],

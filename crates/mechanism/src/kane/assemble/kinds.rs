@@ -78,8 +78,7 @@ fn grows_by(graph: &Graph, node: Node) -> Option<Node> {
 pub(super) enum LossKind {
     Nothing,
     Always,
-    /// The sum over the terms of what they lose, each times a product of squares of parameters
-    /// any of which makes it vanish.
+    /// The terms' losses, each times a product of squared parameters any of which cancels it.
     Where(Node),
 }
 
@@ -145,7 +144,6 @@ fn vanishing(graph: &mut Graph, term: Node, parameters: u16) -> Vec<(Node, i32)>
     factors
 }
 
-/// The terms of a sum, or the node itself; none of 0.
 fn terms(graph: &Graph, node: Node) -> Vec<Node> {
     if let NodeOperation::Sum(0, terms) = graph.operation(node) {
         terms.iter().map(|(term, _)| *term).collect()

@@ -135,9 +135,7 @@ fn longest_projection(
     mode.longest_projection.map(function).transpose()
 }
 
-/// How many coordinates, constraints and independent speeds a mode has.
-///
-/// Where equations are plain, each coordinate in closed form is a constraint.
+/// Coordinates, constraints (plain equations: coordinates in closed form) and independent speeds.
 fn freedom(mechanism: &Mechanism, number: usize) -> Freedom {
     let count = |count: usize| u8::try_from(count).unwrap_or(u8::MAX);
     let Some(mode) = mechanism.modes.get(number) else { return Freedom { n: 0, m: 0, p: 0 } };

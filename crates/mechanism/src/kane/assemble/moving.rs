@@ -3,7 +3,6 @@
 use super::jacobian::StateOfMode;
 use crate::kane::graph::Node;
 
-/// A mode whose parts are wanted.
 pub(super) struct Moving<'a> {
     pub(super) name: &'a str,
     pub(super) state: &'a StateOfMode<'a>,

@@ -3,10 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-/// Returns the process's one copy of `name`.
-///
-/// Copies are kept until the program ends, each name once: a description that is read again adds
-/// the names that it did not have before, and nothing else.
+/// Returns the process's one copy of `name`, kept until the program ends.
 pub(super) fn name(name: &str) -> &'static str {
     static NAMES: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
     let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);

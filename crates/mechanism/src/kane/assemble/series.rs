@@ -9,8 +9,7 @@ use super::functions::FunctionList;
 use crate::kane::graph::{Graph, Node};
 use crate::kane::taylor::Recursion;
 
-/// Most instructions of what is expanded: one with more sums than a step has room for is found out
-/// in time that grows with the square of them.
+/// Most instructions of an expanded mode: the detection of too many sums takes quadratic time.
 const LONGEST: usize = 2048;
 
 /// The series of a mode; none where nothing moves by equations, or contacts act, whose forces are no

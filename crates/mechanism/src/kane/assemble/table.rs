@@ -98,7 +98,6 @@ fn constants(
     Ok((functions.add_whole(graph, "constants", &derived)?, count))
 }
 
-/// What is given by the parameters or the key alone.
 struct Values {
     presets: Vec<PresetTable>,
     requirements: Vec<RequirementTable>,
@@ -190,7 +189,6 @@ fn parameter(parameter: &crate::kane::mechanism::MechanismParameter) -> Paramete
     }
 }
 
-/// The guards of all modes, each number once.
 fn all_specs(modes: &[instruments::equations::table::ModeTable]) -> Vec<GuardSpec> {
     let mut all: Vec<GuardSpec> = Vec::new();
     for spec in modes.iter().flat_map(|mode| &mode.guard_specs) {

@@ -7,8 +7,7 @@ use super::range::Ranges;
 use crate::kane::graph::{BinaryFunction, Graph, Node, NodeOperation, UnaryFunction};
 
 impl Ranges {
-    /// Returns 0 where `node` cannot jump over the step, and 0 where it cannot have a corner;
-    /// otherwise infinity.
+    /// Returns 0 where `node` cannot jump, and 0 where it cannot have a corner; otherwise infinity.
     pub(super) fn corners(&mut self, graph: &mut Graph, node: Node) -> [Node; 2] {
         let (mut jumps, mut corners) = (Vec::new(), Vec::new());
         for reached in graph.reached(&[node]) {
@@ -55,7 +54,6 @@ impl Ranges {
         infinite_without(graph, room)
     }
 
-    /// Returns infinity where `node` may reach 0.
     fn at_zero(&mut self, graph: &mut Graph, node: Node) -> Node {
         let range = self.of(graph, node);
         if graph.is_zero(range.spread) {
@@ -82,7 +80,6 @@ fn is_partial(graph: &Graph, node: Node) -> bool {
     })
 }
 
-/// Returns 0 where `room` is positive, else infinity.
 fn infinite_without(graph: &mut Graph, room: Node) -> Node {
     let (zero, unknown) = (graph.constant(0.0), graph.constant(f64::INFINITY));
     graph.select(room, zero, unknown)

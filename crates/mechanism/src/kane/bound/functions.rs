@@ -39,7 +39,6 @@ fn inverse(graph: &mut Graph, x: Range) -> Range {
     }
 }
 
-/// Returns the smallest magnitude over the step, at least 0.
 fn lowest(graph: &mut Graph, x: Range) -> Node {
     let (zero, room) = (graph.constant(0.0), room(graph, x));
     most(graph, room, zero)
@@ -140,7 +139,6 @@ fn turning(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     least(graph, far, one)
 }
 
-/// Returns max(x, 0).
 fn positive(graph: &mut Graph, x: Node) -> Node {
     let zero = graph.constant(0.0);
     most(graph, x, zero)

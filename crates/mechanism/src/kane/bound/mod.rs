@@ -24,7 +24,6 @@ pub(crate) struct Bounds<'a> {
     ranges: Ranges,
 }
 
-/// Course of a guard's argument over a step.
 #[derive(Clone, Copy, Debug)]
 struct Path {
     place: Place,
@@ -39,7 +38,6 @@ impl<'a> Bounds<'a> {
         Self { state, ranges: Ranges::new(graph, state) }
     }
 
-    /// Returns bounds of the move and of the bend of `value` over a step.
     pub(crate) fn of(&mut self, graph: &mut Graph, value: Node) -> [Node; 2] {
         let paths = self.paths(graph, value);
         let slopes: Vec<_> = paths.iter().map(|path| graph.partial(value, path.place)).collect();

@@ -137,8 +137,7 @@ impl Ranges {
     }
 }
 
-/// Returns the range, or one without bounds where the centre is not finite: a result of an infinite
-/// number would vanish in a quotient.
+/// Returns the range, unbounded if the centre is not finite: infinity vanishes in a quotient.
 fn known_or_nothing(graph: &mut Graph, range: Range) -> Range {
     if graph.number(range.centre).is_none_or(f64::is_finite) {
         return range;

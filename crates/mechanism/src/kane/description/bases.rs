@@ -7,7 +7,6 @@ use documents::toml::{
 
 use super::LONGEST;
 
-/// Longest chain of descriptions.
 const MOST_BASES: usize = 8;
 
 /// Source of the bases of descriptions.
@@ -128,8 +127,7 @@ fn remove_path(tree: &mut TomlNode, path: &str) -> bool {
     false
 }
 
-/// Merges `over` onto `tree`: tables key by key, other values whole. The TOML parser limits the
-/// depth.
+/// Merges `over` onto `tree`: tables key by key, other values whole. TOML limits the depth.
 fn merge(tree: &mut TomlNode, over: TomlNode) {
     let TomlNode { place, kind } = over;
     match (&mut tree.kind, kind) {

@@ -33,7 +33,6 @@ impl MechanismReader {
         self.check_modes();
     }
 
-    /// Returns the tape of nodes over parameters, state and input.
     fn tape(&self, nodes: &[Node]) -> Option<Tape> {
         let mut layout = ArgumentLayout::default();
         layout.place(Place::Key, Argument::Extra(0));
@@ -224,7 +223,6 @@ impl MechanismReader {
     }
 }
 
-/// Marks a report as made; returns `false` if it was made before.
 fn mark(said: &mut [bool], index: usize) -> bool {
     said.get_mut(index).is_some_and(|slot| !std::mem::replace(slot, true))
 }

@@ -5,7 +5,6 @@ use super::toml_making::{each, entry, key_of, list_of, names_in, of_name, table,
 /// Separator between a mode's name and those of its closed contacts.
 pub(super) const JOINT: char = '+';
 
-/// Rigid contact as written.
 #[derive(Clone, Debug)]
 pub(super) struct RigidContact {
     pub(super) name: String,
@@ -23,11 +22,9 @@ struct WrittenMode {
     contacts: Vec<usize>,
     /// Largest number of closed contacts: the mode's degrees of freedom.
     most: usize,
-    /// Constraints that hold in any configuration.
     constraints: Vec<TomlNode>,
 }
 
-/// All modes with each set of contacts that can be closed.
 #[derive(Clone, Debug)]
 pub(super) struct Configurations<'a> {
     contacts: &'a [RigidContact],
@@ -182,7 +179,6 @@ impl<'a> Configurations<'a> {
         if is_one { self.name(name, closed) } else { name.to_owned() }
     }
 
-    /// Adds the configurations of each mode that is named outside of the modes.
     pub(super) fn name_where(&self, entry: &mut TomlEntry) {
         match entry.name.as_str() {
             "outputs" => each(&mut entry.node, &mut |output| {

@@ -229,7 +229,6 @@ fn rate_unit(unit: &str) -> String {
     }
 }
 
-/// Returns the number 0, which has every unit.
 pub(super) fn zero(graph: &mut Graph) -> Measured {
     let node = graph.constant(0.0);
     Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING }

@@ -164,7 +164,6 @@ impl MechanismReader {
         Some((self.drawn_body(frame, None), [x, y]))
     }
 
-    /// Returns a point on a frame that exists only in the drawing.
     fn end_on_frame(&mut self, entry: &TomlEntry) -> Option<(usize, [Node; 2])> {
         let mut keys = KeyReader::new(&mut self.report, entry)?;
         let frame = self.drawn_frame(&mut keys, None);

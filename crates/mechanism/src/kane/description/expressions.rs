@@ -94,7 +94,6 @@ impl MechanismReader {
         }
     }
 
-    /// Returns the node of `file`, called `name`, which must be of `dimension`.
     pub(super) fn node(
         &mut self,
         name: &str,

@@ -10,7 +10,6 @@ use crate::kane::text::{Dimension, Measured};
 
 #[derive(Clone, Copy, Debug)]
 struct FeltParts {
-    /// Compression, and its rate.
     depth: Measured,
     rate: Measured,
     stiffness: Node,

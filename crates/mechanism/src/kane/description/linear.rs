@@ -2,7 +2,6 @@ use std::collections::HashMap;
 
 use crate::kane::graph::{Graph, Node, NodeOperation, Place};
 
-/// Degree of an expression in the speeds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Degree {
     None,
@@ -35,7 +34,6 @@ fn largest(degrees: impl Iterator<Item = Degree>) -> Degree {
     degrees.max().unwrap_or(Degree::None)
 }
 
-/// Returns the degree of a product; at most one factor may contain speeds, to the power 1.
 fn product(factors: impl Iterator<Item = (Degree, i32)>) -> Degree {
     let mut with_speeds = factors.filter(|(degree, _)| *degree != Degree::None);
     match (with_speeds.next(), with_speeds.next()) {

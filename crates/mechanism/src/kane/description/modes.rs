@@ -199,7 +199,6 @@ impl MechanismReader {
         Some(self.acting(file, value, mode).node)
     }
 
-    /// Returns `value` with the names of forces replaced by those that act in `mode`.
     pub(super) fn acting(
         &mut self,
         file: &FileExpression,

@@ -8,7 +8,6 @@ use super::world_frame::WorldPoint;
 use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::text::{Dependence, Dimension, Measured, NameError};
 
-/// Kind of a name in an expression.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum SymbolKind {
     Parameter(usize),
@@ -18,7 +17,6 @@ pub(super) enum SymbolKind {
     Input,
 }
 
-/// Number of a force, contact or friction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LawPlace {
     Force(usize),
@@ -53,7 +51,6 @@ impl<T: Clone> NameCatalogue<T> {
         }
     }
 
-    /// Declares a name, or returns the place of its first declaration.
     pub(super) fn declare(&mut self, name: &str, place: SourcePlace) -> Result<usize, SourcePlace> {
         if let Some((_, first)) = self.names.get(name) {
             return Err(*first);
@@ -69,7 +66,6 @@ impl<T: Clone> NameCatalogue<T> {
     }
 }
 
-/// All names of a description, and the values built so far.
 #[derive(Debug, Default)]
 pub(super) struct NameTable {
     pub(super) symbols: BTreeMap<String, (SymbolKind, SourcePlace)>,

@@ -4,7 +4,6 @@ use super::names::{NameTable, SymbolKind, pi};
 use crate::kane::graph::Graph;
 use crate::kane::text::{Dependence, Measured, NameError, NameScope};
 
-/// Names that an expression of a file may use.
 #[derive(Debug)]
 pub(super) struct NamesInUse<'a> {
     pub(super) names: &'a mut NameTable,

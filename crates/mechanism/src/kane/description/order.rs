@@ -14,7 +14,6 @@ enum Visit {
     Done,
 }
 
-/// Sorts items by number; `needs` has the needs of each.
 pub(super) fn sorted(needs: &[Vec<usize>]) -> BuildOrder {
     let mut found = BuildOrder::default();
     let mut visits = vec![Visit::New; needs.len()];

@@ -29,7 +29,6 @@ struct OutlinePlace {
 }
 
 impl MechanismReader {
-    /// Reads a list of outlines, or a list for each body by its name.
     pub(super) fn outlines(&mut self, entry: &TomlEntry) {
         let Some(bodies) = entry.node.entries() else {
             for node in list(&mut self.report, "outlines", &entry.node) {

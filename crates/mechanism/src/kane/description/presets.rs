@@ -74,7 +74,6 @@ impl MechanismReader {
         }
     }
 
-    /// Builds the values of all parameters as functions of the key alone.
     pub(super) fn preset_values(
         &mut self,
         written: &[Option<FileExpression>],

@@ -3,7 +3,6 @@ use documents::quoted;
 use super::reader::MechanismReader;
 
 impl MechanismReader {
-    /// Reports modes that cannot be reached, and modes that cannot be left.
     pub(super) fn check_modes(&mut self) {
         // A branch that was not understood may be the missing one.
         if !self.exits.are_whole || self.mechanism.modes.len() < 2 {

@@ -32,18 +32,15 @@ pub(super) const STATE: Dependence = POSE.and(Dependence::SPEEDS).and(Dependence
 pub(super) const MOTION: Dependence =
     STATE.and(Dependence::ACCELERATIONS).and(Dependence::REACTIONS).and(Dependence::FORCES);
 
-/// A node whose value is looked at where the mechanism rests.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct WatchedNode {
     pub(super) node: Node,
     pub(super) place: SourcePlace,
     pub(super) text: String,
     pub(super) reach: Dependence,
-    /// The mode in which alone it counts.
     pub(super) mode: Option<usize>,
 }
 
-/// All that is known while a description is read.
 #[derive(Debug, Default)]
 pub(super) struct MechanismReader {
     pub(super) report: FindingList,
@@ -59,20 +56,15 @@ pub(super) struct MechanismReader {
     pub(super) exits: ModeExits,
     pub(super) places: ItemPlaces,
     pub(super) point_places: Vec<Option<(usize, [Node; 3])>>,
-    /// Frames of the drawing that are others in some modes.
     pub(super) drawn_frames: Vec<DrawnFrame>,
     pub(super) built: BuiltLaws,
     pub(super) size: DescriptionSize,
 }
 
-/// How modes end.
 #[derive(Debug, Default)]
 pub(super) struct ModeExits {
-    /// Whether all of the modes was understood.
     pub(super) are_whole: bool,
-    /// A way out of a mode was not understood.
     pub(super) has_lost: bool,
-    /// Modes that are meant to last.
     pub(super) lasting: Vec<usize>,
 }
 
@@ -81,7 +73,6 @@ pub(super) struct ModeExits {
 pub(super) struct ItemPlaces {
     pub(super) rest: SourcePlace,
     pub(super) rest_coordinates: Vec<Option<SourcePlace>>,
-    /// The value of each parameter, for each preset.
     pub(super) presets: Vec<Vec<SourcePlace>>,
     pub(super) requirements: Vec<SourcePlace>,
 }
@@ -94,11 +85,9 @@ pub(super) struct BuiltLaws {
     pub(super) contacts: Vec<(usize, MechanismContact)>,
     /// Typical sizes of gaps (m).
     pub(super) contact_scales: Vec<(usize, f64)>,
-    /// Frictions that wait for their contacts.
     pub(super) frictions: Vec<FrictionText>,
 }
 
-/// The size of what was read so far.
 #[derive(Debug, Default)]
 pub(super) struct DescriptionSize {
     pub(super) expressions: usize,
@@ -197,7 +186,6 @@ impl MechanismReader {
         is_too_many
     }
 
-    /// Remembers to look at a value where the mechanism rests.
     pub(super) fn watch(&mut self, file: &FileExpression, value: Measured, mode: Option<usize>) {
         let Measured { node, reach, .. } = value;
         let text = file.expression.text.clone();

@@ -13,7 +13,6 @@ use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
 use crate::kane::mechanism::{Constraint, ConstraintKind};
 use crate::kane::text::{Dimension, Measured, PartShape};
 
-/// Indices of items by their kind.
 struct ItemIndex {
     rates: Vec<usize>,
     definitions: Vec<usize>,
@@ -184,7 +183,6 @@ impl MechanismReader {
             .push((index, Constraint { name, kind, zero: zero.node, rate: rate.node }));
     }
 
-    /// Returns the total rate of `value`, which was built of `file`.
     pub(super) fn rate_of(&mut self, file: &FileExpression, value: Measured) -> Option<Measured> {
         match self.names.total_rate(&mut self.graph, value) {
             Ok(rate) => {

@@ -94,7 +94,6 @@ fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<RigidContacts> {
     (!found.contacts.is_empty() || !found.unreadable.is_empty()).then_some(found)
 }
 
-/// Returns the written modes, or the single implicit one.
 fn modes(tree: &TomlNode) -> Vec<TomlEntry> {
     let modes = tree.get("modes").and_then(|it| it.node.entries());
     modes.map_or_else(
@@ -119,7 +118,6 @@ fn without_rigid(tree: &mut TomlNode, rigid: &[&String]) {
     }
 }
 
-/// Adds `more` to the table called `name`, created if missing.
 fn extend(entries: &mut Vec<TomlEntry>, name: &str, place: SourcePlace, more: Vec<TomlEntry>) {
     if let Some(entry) = entries.iter_mut().find(|entry| entry.name == name) {
         if let TomlKind::Table(all) = &mut entry.node.kind {

@@ -40,7 +40,6 @@ pub(super) fn each(node: &mut TomlNode, act: &mut dyn FnMut(&mut TomlNode)) {
     }
 }
 
-/// Applies `act` to the value of a key of a table, if it exists.
 pub(super) fn key_of(node: &mut TomlNode, name: &str, act: &mut dyn FnMut(&mut TomlNode)) {
     let TomlKind::Table(entries) = &mut node.kind else { return };
     for entry in entries.iter_mut().filter(|entry| entry.name == name) {

@@ -1,7 +1,6 @@
 use crate::kane::graph::{Graph, Node, UnaryFunction};
 use crate::kane::text::Dependence;
 
-/// Frame in the ground's axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WorldFrame {
     pub(super) index: usize,
@@ -9,7 +8,6 @@ pub(super) struct WorldFrame {
     turn: WorldTurn,
 }
 
-/// Point in the ground's axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WorldPoint {
     pub(super) at: [Node; 3],

@@ -52,7 +52,6 @@ pub(super) fn close(
 
 /// Returns the shortest x of J x = r, by Jᵀ (J Jᵀ + small)⁻¹ r.
 fn least_step(jacobian: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
-    /// Regularisation for dependent constraints.
     const SMALL: f64 = 1e-14;
     let n = right.len();
     if n == 0 {

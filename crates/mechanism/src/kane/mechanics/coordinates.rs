@@ -12,12 +12,9 @@ use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
 /// Fraction of the largest coefficient below which a coefficient cannot be a pivot.
 const NEGLIGIBLE: f64 = 1e-3;
 
-/// Slopes of the constraints that are suitable for solving.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum SlopeKind {
-    /// Slopes over the parameters alone.
     Constant,
-    /// Slopes without the solved coordinates.
     Linear,
 }
 

@@ -92,7 +92,6 @@ impl ExplicitForms {
     }
 }
 
-/// Returns the force of a contact while its gap is closed, and the gap's rate.
 fn pressing(
     graph: &mut Graph,
     mechanism: &Mechanism,

@@ -25,7 +25,6 @@ pub(super) fn forces(
     terms.iter().map(|terms| graph.sum(terms)).collect()
 }
 
-/// Returns the first `count` rows of matrix × vector.
 pub(super) fn times(
     graph: &mut Graph,
     matrix: &[Vec<Node>],
@@ -41,7 +40,6 @@ pub(super) fn inner(graph: &mut Graph, x: &[Node], y: &[Node]) -> Node {
     graph.sum(&terms)
 }
 
-/// Returns the dependent coordinates and speeds over the others.
 pub(super) fn finishing(
     graph: &mut Graph,
     solved: &BTreeMap<usize, Node>,

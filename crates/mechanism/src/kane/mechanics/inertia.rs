@@ -68,12 +68,9 @@ struct BodyTerms<'a> {
     motion: &'a BodyMotion,
 }
 
-/// Partial velocities of a body by one speed.
 struct Partial {
     velocity: FrameVector,
-    /// Rotation along the body's axes.
     rotation: Components,
-    /// Rotation times the inertia.
     momentum: Components,
 }
 
@@ -208,7 +205,6 @@ fn half_square(graph: &mut Graph, places: &[Place], mass: &[Vec<Node>]) -> Node 
     graph.sum(&terms)
 }
 
-/// Returns `true` if a body moves while all speeds and the input's rate are 0.
 fn has_drift(graph: &mut Graph, mechanism: &Mechanism, bodies: &[BodyMotion]) -> bool {
     let zero = graph.constant(0.0);
     let mut still = Substitution::new(rates(mechanism).into_iter().map(|place| (place, zero)));

@@ -107,7 +107,6 @@ impl Moving<'_, '_> {
         rate
     }
 
-    /// Returns ω × components, along the frame's axes.
     fn turned(&mut self, graph: &mut Graph, frame: usize, components: Components) -> Components {
         let rotation = self.frames[frame].rotation.clone();
         let rotation = self.axes.express(graph, &rotation, frame);

@@ -136,7 +136,6 @@ impl LinearSystem<'_> {
         Some(())
     }
 
-    /// Returns a b − c d.
     fn minor(&mut self, [a, b]: [Node; 2], [c, d]: [Node; 2]) -> Node {
         let (plus, minus) = (self.graph.multiply(a, b), self.graph.multiply(c, d));
         self.graph.subtract(plus, minus)

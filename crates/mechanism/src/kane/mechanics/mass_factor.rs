@@ -87,7 +87,6 @@ impl MassFactor {
     }
 }
 
-/// Returns x − by y.
 fn without(graph: &mut Graph, x: Node, by: Option<Node>, y: Node) -> Node {
     let Some(by) = by else { return x };
     let taken = graph.multiply(by, y);

@@ -117,8 +117,7 @@ fn in_mode(
     obstacles.into_iter().map(error).collect()
 }
 
-/// Returns the entries of the state: coordinates that some mode does not solve, and the speeds,
-/// except those of excluded coordinates.
+/// Returns the entries of the state: coordinates that some mode does not solve, and their speeds.
 fn state(graph: &Graph, mechanism: &Mechanism, motions: &[ModeMotion]) -> Vec<Place> {
     let is_solved = |i: usize| motions.iter().all(|motion| motion.solved.contains_key(&i));
     let is_dependent = |j: usize| motions.iter().all(|it| it.speeds.dependent.contains(&j));

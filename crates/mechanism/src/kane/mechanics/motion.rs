@@ -1,5 +1,4 @@
-//! Equations of one mode: the mass matrix of its independent speeds, all accelerations, and the
-//! reactions of its constraints.
+//! Equations of one mode: mass matrix of its independent speeds, accelerations, and reactions.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -89,12 +88,10 @@ impl ModeMotion {
         Ok(motion)
     }
 
-    /// Returns the replacement of dependent coordinates and speeds by their expressions.
     pub(super) fn finishing(&self) -> Substitution {
         Substitution::new(self.finish.iter().map(|(place, node)| (*place, *node)))
     }
 
-    /// Factorises Tᵀ M T of the dynamic speeds.
     fn factored(
         &self,
         graph: &mut Graph,
@@ -125,7 +122,6 @@ impl ModeMotion {
         self.speeds.slopes.iter().map(|row| row[k]).collect()
     }
 
-    /// Returns Tᵀ `force` for the dynamic speeds.
     fn reduced(&self, graph: &mut Graph, force: &[Node]) -> Vec<Node> {
         self.dynamic
             .iter()
@@ -184,7 +180,6 @@ impl ModeMotion {
         all
     }
 
-    /// Returns T `free` + `base`.
     fn expand(&self, graph: &mut Graph, base: &[Node], free: &[Node]) -> Vec<Node> {
         base.iter()
             .zip(&self.speeds.slopes)

@@ -9,7 +9,6 @@ use crate::kane::mechanism::Mechanism;
 /// Fraction of a matrix's largest entry below which an entry counts as 0.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Values of all symbols at one pose, at rest.
 #[derive(Clone, Debug, Default)]
 pub(super) struct NumericPose {
     values: HashMap<Place, f64>,

@@ -10,7 +10,6 @@ use super::numeric;
 use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
 
-/// Slope of a constraint below which it is rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Distances of constraints from zero, and coordinates after one step of Newton's method.

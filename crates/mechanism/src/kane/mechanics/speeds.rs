@@ -11,7 +11,6 @@ use super::numeric::{self, NumericPose};
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::mechanism::{Mechanism, Mode};
 
-/// Fraction of a slope that is rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Condition that is linear in the speeds: slopes · (speeds, input's rate) + rest = 0.

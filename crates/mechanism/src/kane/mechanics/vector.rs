@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 use crate::kane::graph::{Graph, Node, UnaryFunction};
 use crate::kane::mechanism::ReferenceFrame;
 
-/// Components along the axes of one frame.
 pub(super) type Components = [Node; 3];
 
 /// Sum of vectors, each along the axes of its frame.
@@ -46,7 +45,6 @@ impl FrameVector {
     }
 }
 
-/// Relative directions of frames.
 #[derive(Debug)]
 pub(super) struct Orientations<'a> {
     frames: &'a [ReferenceFrame],
@@ -147,7 +145,6 @@ fn bilinear(
     places.map(|(i, j)| (graph.product(&[(x[i], 1), (matrix[i][j], 1), (y[j], 1)]), 1.0)).collect()
 }
 
-/// Returns x × y of components along common axes.
 pub(super) fn cross(graph: &mut Graph, x: Components, y: Components) -> Components {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         let (a, b) = (graph.multiply(x[i], y[j]), graph.multiply(x[j], y[i]));

@@ -9,7 +9,6 @@ pub enum Notation {
     Latex,
 }
 
-/// Binding strength of a written expression.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Tightness {
     Sum,

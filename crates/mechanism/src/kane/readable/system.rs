@@ -5,8 +5,7 @@ use super::{Notation, SymbolNames};
 use crate::kane::graph::{Node, NodeOperation, Place};
 use crate::kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
-/// Returns all equations of `system`: for each mode its slaved entries, derivative, readout and
-/// outputs, guards with their targets, and reset maps.
+/// Returns the equations of `system` by mode: slaved entries, rates, outputs, guards, reset maps.
 pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
     let mut text = String::new();
     for mode in 0..system.modes.len() {
@@ -36,7 +35,6 @@ pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) 
     page.print(title, notation)
 }
 
-/// Collected equations, and the headings before some of them.
 struct Page<'a> {
     system: &'a EquationSystem,
     names: SymbolNames,

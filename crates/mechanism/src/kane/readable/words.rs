@@ -51,7 +51,6 @@ fn upright(name: &str) -> String {
     format!("\\mathrm{{{}}}", escaped(name))
 }
 
-/// Escapes the special characters of LaTeX.
 pub(super) fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for character in text.chars() {

@@ -18,9 +18,7 @@ pub struct Equation {
     pub right: String,
 }
 
-/// Returns `node` written out, without names for its parts.
-///
-/// Its text can be far longer than its graph; [`equations()`] names parts instead.
+/// Returns `node` without names for its parts, possibly far longer than [`equations()`].
 pub fn expression(graph: &Graph, node: Node, names: &SymbolNames, notation: Notation) -> String {
     let mut writer = EquationWriter::new(graph, names, notation);
     writer.write(&[node], &|_, _| false);
@@ -28,7 +26,6 @@ pub fn expression(graph: &Graph, node: Node, names: &SymbolNames, notation: Nota
 }
 
 /// Returns the definitions of named parts, then `wanted` in terms of them.
-///
 /// The left sides of `wanted` are in the notation of descriptions.
 pub fn equations(
     graph: &Graph,

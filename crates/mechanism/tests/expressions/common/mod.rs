@@ -182,7 +182,6 @@ impl Tree {
     }
 }
 
-/// Number with a bound of its error.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded {
     pub value: f64,

@@ -39,7 +39,6 @@ impl Along {
         self.graph.binary(function, x, y)
     }
 
-    /// Returns one of each kind, with operands that are series themselves.
     fn functions(&mut self) -> Vec<Node> {
         let (x, p) = (self.x, self.p);
         let (half, square) = (self.graph.scale(x, 0.5), self.graph.power(x, 2));

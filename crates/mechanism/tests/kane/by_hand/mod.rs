@@ -15,7 +15,6 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Returns a system with these parameters, and coordinates each with a speed of its own.
     pub fn new(parameters: &[(&str, f64)], coordinates: &[&str]) -> Self {
         let mut graph = Graph::new();
         let values = parameters.iter().map(|(_, value)| graph.constant(*value)).collect();
@@ -71,7 +70,6 @@ impl Draft {
         (0..count).map(Place::Coordinate).chain((0..count).map(Place::Speed)).collect()
     }
 
-    /// Adds a mode with these rates of the state, in which everything moves by equations.
     pub fn mode(&mut self, name: &str, derivative: &[Node]) -> &mut ModeEquations {
         self.mechanism.modes.push(Mode { name: name.to_owned(), ..Mode::default() });
         let slaved = self.places().iter().map(|it| self.mechanism.graph.symbol(*it)).collect();
@@ -84,7 +82,6 @@ impl Draft {
         self.modes.last_mut().unwrap()
     }
 
-    /// Returns a branch to a mode with this state after it.
     pub fn way(to: usize, state: &[Node], impulse: Node) -> Way {
         let branch = GuardBranch { when: None, to, set: Vec::new(), impact: None };
         Way { branch, state: state.to_vec(), impulse }

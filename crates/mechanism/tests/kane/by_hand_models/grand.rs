@@ -155,8 +155,6 @@ impl Grand {
         [spring * softplus(cr * rate) / LN_2, spring, rate]
     }
 
-    /// Returns the string's force on the head, Ks (z − zs)^ps max(1 + μs w, 0), and its stored
-    /// part.
     fn string_force(&self, z: f64, w: f64) -> [f64; 2] {
         let [zs, ks, ps, mus] = self.0.of(["zs", "Ks", "ps", "mus"]);
         let spring = ks * (z - zs).max(0.0).powf(ps);
@@ -169,7 +167,6 @@ impl Grand {
         mh * (head.bend * u * u + g) + ch * head.ratio * u
     }
 
-    /// Returns y'' of a key that carries `head`.
     fn with_head(&self, mode: &str, head: &Head, x: &[f64; 4], s: &Motion) -> f64 {
         let [mk, mh, kr] = self.0.of(["mk", "mh", "kr"]);
         let [y, _, u, _] = *x;

@@ -18,7 +18,6 @@ impl Values {
         GuardValue::new(value, rate)
     }
 
-    /// Returns the angle of the hammer below the string, and its rate.
     fn below_string(&self, (h, wh): (f64, f64)) -> GuardValue {
         let [string] = self.of(["string_angle"]);
         GuardValue::new(string - h, -wh)
@@ -37,13 +36,11 @@ impl Values {
         0.5 * (jh * wh * wh + jk * wk * wk) + hammer * h.sin() + key * k.sin() + m2 * g * l4
     }
 
-    /// Returns the hammer's angle and rate after the string.
     fn thrown(&self, wh: f64) -> [f64; 2] {
         let [string, restitution] = self.of(["string_angle", "restitution"]);
         [string, -restitution * wh]
     }
 
-    /// Returns the speed of the head (m/s).
     fn head(&self, wh: f64) -> f64 {
         let [l2] = self.of(["L2"]);
         l2 * wh.abs()
@@ -98,7 +95,6 @@ impl Rigid {
         GuardValue::new(force, (moment_rate - force * hammer.reach_rate) / reach)
     }
 
-    /// Returns F_KH (N) and T_KU (N·m).
     fn forces(&self, mode: &str, s: &Motion) -> [f64; 2] {
         let [jk, l1] = self.0.of(["JK", "L1"]);
         let key = jk * s.acceleration + self.0.moments()[1] * s.position.cos();

@@ -41,7 +41,6 @@ impl<const N: usize> After<N> {
 
 pub(crate) type NamedGuard = (&'static str, GuardValue);
 
-/// Equations of a model with N entries of the state.
 pub(crate) trait ByHand<const N: usize> {
     fn new(values: Values) -> Self;
 
@@ -62,7 +61,6 @@ pub(crate) trait ByHand<const N: usize> {
     fn outputs(&self, mode: &str, x: &[f64; N], s: &Motion) -> Vec<(&'static str, f64)>;
 }
 
-/// Returns a guard with the opposite sign.
 const fn turned(guard: GuardValue) -> GuardValue {
     GuardValue::new(-guard.value, -guard.rate)
 }

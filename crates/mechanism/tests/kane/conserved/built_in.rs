@@ -21,7 +21,6 @@ fn every_description_accounts_for_its_energy() {
     assert!(modes > 20, "{modes} modes");
 }
 
-/// Returns a valid state of the mode, near the guess of its rest.
 fn somewhere(derived: &Derived, mode: usize, numbers: &mut Numbers) -> (Vec<f64>, [f64; 4]) {
     for _ in 0..1000 {
         let input = numbers.list::<4>().map(|it| 0.01 * it);

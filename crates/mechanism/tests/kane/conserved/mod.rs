@@ -17,7 +17,6 @@ const TOLERANCES: [f64; 2] = [1e-8, 1e-11];
 
 type Conserved<'a, const N: usize> = &'a dyn Fn(&[f64; N]) -> f64;
 
-/// Motion under one tolerance: states at the ends of its ticks, and its number of steps.
 struct Free<const N: usize> {
     states: Vec<[f64; N]>,
     steps: u32,
@@ -57,7 +56,6 @@ fn slope<const N: usize>(quantity: Conserved<'_, N>, x: &[f64; N]) -> f64 {
     (sum * N as f64).sqrt()
 }
 
-/// Checks that quantities drift no further than the tolerance allows, with both tolerances.
 #[track_caller]
 fn conserved<const N: usize>(
     derived: &Derived,

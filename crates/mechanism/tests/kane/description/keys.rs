@@ -114,7 +114,6 @@ from = { frame = "ground", @drawing.springs = 1 }
 @drawing.springs = 1
 "#;
 
-/// Returns the keys that the reader offers, by their row of the README.
 fn read_keys() -> BTreeMap<&'static str, BTreeSet<String>> {
     let mut rows = Vec::new();
     let mut pieces = EVERYTHING.split('@');
@@ -177,7 +176,6 @@ fn is_word(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|it| it.is_ascii_lowercase() || it == '_')
 }
 
-/// Returns the keys in a cell: alone, before "=", or in a list in braces.
 fn named_keys(cell: &str) -> BTreeSet<String> {
     let mut keys = BTreeSet::new();
     for span in spans(cell) {
@@ -201,7 +199,6 @@ fn mentions(cell: &str, key: &str) -> bool {
     })
 }
 
-/// Returns `true` if a key is a table with its own place in the README.
 fn is_table(row: &str, key: &str) -> bool {
     let heading = match row {
         "top" => format!("| `[{key}"),

@@ -33,7 +33,6 @@ pub(super) fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f6
     tape.evaluate(&TapeArguments { constants: &constants, state, input, extra: &[] })[0]
 }
 
-/// Returns an output of [`WEIGHT`] with the value `expression`.
 #[track_caller]
 fn weight(expression: &str, state: [f64; 2], input: [f64; 4]) -> f64 {
     let text = WEIGHT.replacen(

@@ -100,7 +100,6 @@ pub(crate) fn mistakes_of(text: &str, bases: &dyn Bases) -> Vec<String> {
     shown.map(|it| it.trim_start_matches("test.toml:").trim().to_owned()).collect()
 }
 
-/// Returns the single mistake of [`WEIGHT`] with `old` replaced by `new`.
 #[track_caller]
 pub(crate) fn mistake(old: &str, new: &str) -> String {
     assert!(WEIGHT.contains(old), "{old:?} is not there");

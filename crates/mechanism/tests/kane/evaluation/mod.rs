@@ -9,7 +9,6 @@ use crate::kane::builder::{MechanismBuilder, number};
 use crate::kane::runnable::{Runnable, runnable};
 use crate::kane::shipped::Folder;
 
-/// Derived system with the values of its parameters.
 pub(crate) struct Derived {
     pub(crate) system: EquationSystem,
     pub(crate) values: Vec<f64>,
@@ -41,7 +40,6 @@ impl Derived {
         Self::described(&text, preset)
     }
 
-    /// Derives a description, with the values of a preset for key 40.
     pub(crate) fn described(text: &str, preset: usize) -> Self {
         let read = mechanism::kane::description::read("described.toml", text, &Folder);
         let mechanism = read.unwrap_or_else(|mistakes| panic!("{mistakes}")).mechanism;
@@ -118,7 +116,6 @@ impl Derived {
     }
 }
 
-/// Returns the values of a preset for key 40.
 fn preset_values(mechanism: &Mechanism, preset: usize) -> Vec<f64> {
     let mut layout = ArgumentLayout::default();
     layout.place(Place::Key, Argument::Extra(0));

@@ -5,7 +5,6 @@ use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{GRAND, Runnable, guard, mode, modes, value};
 use crate::kane::stroke::still;
 
-/// Displacement into the string or the bed (m).
 const DEEP: f64 = 1e-3;
 
 /// Returns a state of the mode called `name` as it is played, and an input near.

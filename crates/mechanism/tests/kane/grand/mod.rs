@@ -7,19 +7,14 @@ mod pressed;
 
 use crate::kane::runnable::{Runnable, value};
 
-/// Position of the let-off button (m).
 const BUTTON: f64 = 0.0082;
-/// Position at which the jack trips (m).
 const TRIP: f64 = 0.009_109_090_909_090_909;
-/// Position of the string (m).
 const STRING: f64 = 0.045;
 
-/// Returns ln(1 + eˣ).
 fn softplus(x: f64) -> f64 {
     if x > 30.0 { x } else { x.exp().ln_1p() }
 }
 
-/// Returns the position of the end of the repetition lever (m).
 fn lever(model: &Runnable<4>, y: f64) -> f64 {
     let [offset, ratio, drop, width] = ["o_r", "R", "yd", "wd"].map(|name| value(model, name));
     offset + ratio * (y - width * softplus((y - drop) / width))

@@ -7,22 +7,17 @@ use super::lever;
 use crate::kane::runnable::{GRAND, Runnable, guard, mode, mode_name, value};
 use crate::kane::stroke::{AuditedRun, Seen, presses, run, still};
 
-/// Weight of a gram (N).
 const GRAM: f64 = 9.806_65e-3;
-/// Duration of a tick (s).
 const H: f64 = 1e-3;
 
-/// Finger's position and force at one tick.
 #[derive(Clone, Copy, Debug)]
 struct Felt {
-    /// Key front (m).
     y: f64,
     /// Force of the finger, as a weight (gf).
     weight: f64,
     mode: &'static str,
 }
 
-/// Plays `gestures` on the default set until `until` (s).
 fn play(gestures: &[[f64; 3]], until: f64) -> (AuditedRun<Runnable<4>>, Vec<Felt>) {
     let model = GRAND.model::<4>("default", 0, &[]);
     let (mode, x) = model.at_rest(&still(0.0));
@@ -43,7 +38,6 @@ fn play(gestures: &[[f64; 3]], until: f64) -> (AuditedRun<Runnable<4>>, Vec<Felt
     (audited, felt)
 }
 
-/// Returns the speeds at which the string was struck (m/s).
 fn strikes(audited: &AuditedRun<Runnable<4>>) -> Vec<f64> {
     let model = GRAND.model::<4>("default", 0, &[]);
     let hits = audited.events.iter().filter(|event| event.name == "string-on");
@@ -65,7 +59,6 @@ fn weighed() -> (AuditedRun<Runnable<4>>, Vec<Felt>) {
     play(&[press(0.3), [-0.0107, 4.2, 0.3]], 6.5)
 }
 
-/// Returns the weights where the key passes `y` (m), in the order of time.
 fn at(felt: &[Felt], y: f64) -> Vec<f64> {
     let passes = felt.windows(2).filter(|pair| (pair[0].y < y) != (pair[1].y < y));
     passes.map(|pair| pair[1].weight).collect()

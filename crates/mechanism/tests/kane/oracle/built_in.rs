@@ -3,13 +3,11 @@ use serde_json::{Map, Value, json};
 
 use crate::kane::evaluation::{Derived, Numbers};
 
-/// States that are compared in each mode.
 const STATES: usize = 5;
 
 const MECHANISMS: [&str; 5] =
     ["key_hammer_rigid", "key_hammer_springs", "cart_pendulum", "bouncing_ball", "reduced_grand"];
 
-/// Writes each mode of each preset of the built-in models, with states and results.
 pub(super) fn cases() -> Vec<Value> {
     let mut all = Vec::new();
     let mut numbers = Numbers::new(21);

@@ -94,7 +94,6 @@ fn four_bar() -> Value {
     })
 }
 
-/// Returns time and state at each sample, by fine steps and by steps twice as long.
 fn motions(derived: &Derived, start: &[f64], input: f64) -> [Vec<Vec<f64>>; 2] {
     let start: [f64; 6] = start.try_into().expect("three bodies");
     let still = Motion { position: input, ..Motion::default() };

@@ -16,7 +16,6 @@ use serde_json::Value;
 /// Python with the packages of requirements.txt.
 const PYTHON: &str = "LETOFF_ORACLE_PYTHON";
 
-/// Number of random mechanisms to compare.
 const COUNT: &str = "LETOFF_ORACLE_MECHANISMS";
 
 const ALL: u64 = 20;
@@ -32,7 +31,6 @@ fn python() -> Option<OsString> {
     python
 }
 
-/// Passes `cases` to a program of this folder, which compares them.
 fn compare(python: OsString, program: &str, cases: &[Value]) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("oracle");
     std::fs::create_dir_all(&folder).expect("a folder");

@@ -25,11 +25,9 @@ struct Planar {
 struct FramePoint {
     frame: usize,
     at: [f64; 2],
-    /// Position on the ground's axes.
     place: [String; 2],
 }
 
-/// Returns the mechanism of `seed` with random states and the accelerations there.
 pub(super) fn random(seed: u64) -> Value {
     let mut numbers = Numbers::new(100 + seed);
     for _ in 0..10 {

@@ -19,7 +19,6 @@ pub(crate) struct Expected {
     pub(crate) after: Vec<f64>,
 }
 
-/// Terms of a reference's input.
 #[derive(Clone, Copy, Debug)]
 enum Shape {
     /// Terms A exp(−((t − tc)/w)²).
@@ -70,7 +69,6 @@ impl<const N: usize> Case<N> {
         }
     }
 
-    /// Returns the exact input at `t` (s).
     pub(crate) fn input(&self, t: f64) -> Motion {
         match self.shape {
             Shape::Bells => bells(&self.terms, t),
@@ -87,7 +85,6 @@ impl<const N: usize> Case<N> {
         self.rows[row][index].parse().expect("a number")
     }
 
-    /// Runs the case with ticks of `h` (s) and the exact input.
     #[track_caller]
     pub(crate) fn run(&self, h: f64) -> Trace<N> {
         let (mode, state) = self.start();
@@ -135,7 +132,6 @@ fn event(json: &Value, states: &[&str]) -> Expected {
     }
 }
 
-/// Event of a run: its time (s), its guard, and mode and state before and after.
 #[derive(Debug)]
 pub(crate) struct Met<const N: usize> {
     pub(crate) t: f64,
@@ -144,7 +140,6 @@ pub(crate) struct Met<const N: usize> {
     pub(crate) states: [[f64; N]; 2],
 }
 
-/// Events of a run, mode and state at the end of each tick, and its energy.
 #[derive(Debug)]
 pub(crate) struct Trace<const N: usize> {
     h: f64,

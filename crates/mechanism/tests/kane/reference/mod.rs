@@ -123,7 +123,6 @@ fn check_start<const N: usize>(shipped: &ShippedModel, name: &str) {
     }
 }
 
-/// Checks a model's outputs against the trajectory's columns, away from events.
 #[track_caller]
 fn check_outputs<const N: usize>(
     (shipped, name): (&ShippedModel, &str),
@@ -148,7 +147,6 @@ fn check_outputs<const N: usize>(
     (case, trace)
 }
 
-/// Returns the number of ticks of `h` (s) in a row of the trajectory.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
 fn per_row<const N: usize>(case: &Case<N>, h: f64) -> usize {
     (case.value(1, "t") / h).round() as usize

@@ -24,7 +24,6 @@ fn named(name: &str) -> Program {
     all.expect("a description of that name")
 }
 
-/// Returns the model of a program, with the values of a preset in the middle of the keys.
 fn model<const N: usize>(program: &Program, preset: usize) -> Runnable<N> {
     let model = ShippedModel::of(program.clone());
     model.valued(&model.values(preset, 44))
@@ -79,7 +78,6 @@ impl<const N: usize> Case<N> {
         format!("{} {}", table.name, table.modes[self.index].name)
     }
 
-    /// Returns the state along the series, and its derivative (1/s).
     fn at(&self, tau: f64) -> [[f64; N]; 2] {
         let series = &self.series;
         let terms = |entry: usize| (0..=ORDER).map(move |k| series.terms[k][entry]);
@@ -93,7 +91,6 @@ impl<const N: usize> Case<N> {
     }
 }
 
-/// Returns the input and its rates after τ.
 fn motion_at(input: &[Motion; INPUT_TERMS], scale: f64, tau: f64) -> Motion {
     let mut terms: Vec<f64> = input.iter().map(|it| it.position).collect();
     let mut next = || {

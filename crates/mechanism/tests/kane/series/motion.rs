@@ -9,10 +9,8 @@ use crate::kane::stroke::{FIGURE_6, bells};
 
 /// Strokes of figure 6 over one tick of `h` (s), with their series.
 struct Strokes {
-    /// Start of the tick (s).
     from: f64,
     h: f64,
-    /// Factor of the strokes' size.
     scale: f64,
 }
 
@@ -39,7 +37,6 @@ impl Signal<Motion> for Strokes {
 struct Outcome<const N: usize> {
     events: Vec<(f64, &'static str, u8)>,
     end: [f64; N],
-    /// Energies (J) at the ends of the ticks.
     energies: Vec<f64>,
     work: Work,
 }

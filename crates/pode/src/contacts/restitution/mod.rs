@@ -78,8 +78,7 @@ pub enum ImpactEnding {
     SmallestRestitution,
     /// By the plastic law, for contacts that the law left closing.
     Plastic,
-    /// A contact still closes: no impulses can prevent it, since the velocities are not those of
-    /// any bodies with this matrix, or not finite.
+    /// A contact still closes: no bodies have these velocities and matrix, or one is not finite.
     Contradiction,
 }
 
@@ -110,7 +109,6 @@ impl<const N: usize> Contacts<N> {
         self.restitution[i].clamp(0.0, 1.0)
     }
 
-    /// Returns the velocities (m/s) after `impulses` (N s).
     fn velocities_after(&self, impulses: &[f64; N]) -> [f64; N] {
         core::array::from_fn(|i| {
             let gains = self.delassus[i].iter().zip(impulses).map(|(g, p)| g * p);
@@ -118,7 +116,6 @@ impl<const N: usize> Contacts<N> {
         })
     }
 
-    /// Size of the terms of each velocity after `impulses` (m/s).
     fn sizes(&self, impulses: &[f64; N]) -> [f64; N] {
         core::array::from_fn(|i| {
             let gains = self.delassus[i].iter().zip(impulses).map(|(g, p)| (g * p).abs());

@@ -79,8 +79,7 @@ impl<S: State> Dense<S> for Dense8<S> {
     /// Sums the coefficients' magnitudes, each times the maximum of its product of τ and σ and of
     /// the derivatives of that product; only after refinement.
     fn bounds(&self) -> Option<DenseBounds<S>> {
-        /// Maxima of τ, τσ, τ²σ, τ²σ², τ³σ², τ³σ³ and τ⁴σ³ and of their first and second
-        /// derivatives, rounded up.
+        /// Maxima of τ, τσ, τ²σ, τ²σ², τ³σ², τ³σ³, τ⁴σ³ and of two derivatives of each, rounded up.
         const MOST: [[f64; 3]; 7] = [
             [1.0, 1.0, 0.0],
             [0.25, 1.0, 2.0],

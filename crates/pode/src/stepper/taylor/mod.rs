@@ -24,8 +24,6 @@ use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, T
 /// polynomials, without an evaluation. Only the length of steps is carried.
 ///
 /// [`Guarded::series`]: crate::Guarded::series
-///
-/// # References
 /// `[JZ05]`: recursions, order and step size.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Taylor {

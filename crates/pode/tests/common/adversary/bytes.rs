@@ -17,7 +17,6 @@ const SPECIAL: [f64; 14] = [
     f64::MIN,
 ];
 
-/// A reader of bytes that never fails.
 #[derive(Debug)]
 pub struct Bytes<'a>(&'a [u8]);
 
@@ -40,7 +39,6 @@ impl<'a> Bytes<'a> {
         self.byte() % 2 == 1
     }
 
-    /// Returns `true` once in `n`.
     pub fn is_one_in(&mut self, n: u8) -> bool {
         self.byte() % n == n - 1
     }
@@ -49,7 +47,6 @@ impl<'a> Bytes<'a> {
         list[usize::from(self.byte()) % list.len()]
     }
 
-    /// Returns a number in 0 ..= 1.
     pub fn part(&mut self) -> f64 {
         f64::from(u16::from_le_bytes([self.byte(), self.byte()])) / f64::from(u16::MAX)
     }

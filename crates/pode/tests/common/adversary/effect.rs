@@ -9,10 +9,8 @@ use super::{Adversary, MODES, STATE};
 enum Landing {
     Same,
     Counts,
-    /// Returns from the floor with this fraction of the speed.
     Bounces(f64),
     Rests,
-    /// Moves the time by this (s).
     Moves(f64),
     Is(f64),
 }
@@ -93,7 +91,6 @@ impl Effect {
         }
     }
 
-    /// Bounces off the floor in one mode, and may end at rest on it in the next.
     pub fn bounce(bytes: &mut Bytes<'_>) -> Self {
         let after = After::Rests { mode: 1, state: Landing::Rests };
         let landing = Landing::Bounces(bytes.sized(0.05, 1.0));

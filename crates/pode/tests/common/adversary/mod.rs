@@ -67,7 +67,6 @@ impl GuardPart {
     }
 }
 
-/// A model from arbitrary bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Adversary<'a> {
     calls: &'a Calls,
@@ -98,7 +97,6 @@ impl<'a> Adversary<'a> {
         it
     }
 
-    /// Returns the model with its modes' equations in other places.
     pub fn turned(mut self) -> Self {
         self.modes.rotate_left(1);
         self

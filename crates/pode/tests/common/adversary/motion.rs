@@ -5,7 +5,6 @@ use pode::{EquationKind, Matrix, Motion, Nature, State};
 use super::STATE;
 use super::bytes::Bytes;
 
-/// Equations of a mode; the time always comes first.
 #[derive(Clone, Copy, Debug)]
 enum Field {
     Falls,
@@ -17,7 +16,6 @@ enum Field {
     Driven,
     /// Size and time (s) of the jump.
     Jumps(f64, f64),
-    /// Constant from a time (s) on.
     Becomes(f64, f64),
     Frozen,
     GoesBack,
@@ -114,7 +112,6 @@ impl ModePart {
         }
     }
 
-    /// Returns free fall without lies.
     pub const fn fall() -> Self {
         const NEVER: Lie = Lie { from: f64::INFINITY, value: 0.0 };
         Self {

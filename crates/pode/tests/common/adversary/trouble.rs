@@ -16,19 +16,15 @@ pub enum Trouble {
     /// Jumps between −1 and 1 at this frequency (1/s).
     Chatters(f64),
     Constant(f64, f64),
-    /// Falls by a jump at this time (s).
     Jumps(f64),
     /// NaN from the first time, for the second (s).
     NotANumber(f64, f64),
-    /// Rate NaN from this time (s).
     NoRate(f64),
-    /// Many roots: cos ωt.
     Waves(f64),
     /// Close pairs of roots: 1 + cos ωt − δ.
     Dips(f64, f64),
     /// Flat roots: −(t − t0)⁹, with rate zero.
     Flat(f64),
-    /// Steep roots: a signed square root.
     Steep(f64),
     Counts(f64),
     Huge(f64),
@@ -68,7 +64,6 @@ impl Trouble {
         }
     }
 
-    /// Returns the guard and its rate; `calls` are those before.
     pub fn value(self, x: &[f64; STATE], input: &Motion, calls: &Calls) -> GuardValue {
         let [t, n, z, w] = *x;
         let (value, rate) = match self {

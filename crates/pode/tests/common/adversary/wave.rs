@@ -10,13 +10,11 @@ pub enum Wave {
     Smooth(Cubic),
     /// Another position from this fraction of the tick on.
     Jumps(f64, [f64; 2]),
-    /// NaN between these fractions of the tick.
     Gap(f64, f64),
     Shakes,
 }
 
 impl Wave {
-    /// Builds an input over a tick of `h` (s); `samples` continue from tick to tick.
     pub fn from_bytes(bytes: &mut Bytes<'_>, h: f64, samples: &mut Reconstructor) -> Self {
         let place = |bytes: &mut Bytes<'_>| bytes.odd(|it| it.signed(1e-6, 10.0));
         match bytes.byte() % 12 {

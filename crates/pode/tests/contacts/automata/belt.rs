@@ -23,7 +23,6 @@ use crate::driven::{root, run_driven};
 pub struct Block {
     /// They hold and slip together, each with its share of the friction.
     pub contacts: Vec<ContactSpec>,
-    /// Mass (kg) and stiffness (N/m).
     pub mass: f64,
     pub k: f64,
     pub stiction: f64,

@@ -17,7 +17,6 @@ use ContactState::{SlideDown, SlideUp, Stick};
 #[derive(Clone, Copy, Debug)]
 struct Stack {
     contacts: [ContactSpec; 2],
-    /// Masses (kg).
     m: [f64; 2],
     /// Friction to the ground, and between the blocks (N).
     stiction: [f64; 2],
@@ -32,7 +31,6 @@ impl Stack {
         self.pull * (self.turn - (t - self.turn).abs())
     }
 
-    /// Returns the integral of the pull since 0 (N s).
     fn pulled(&self, t: f64) -> f64 {
         let rise = t.min(self.turn);
         let fall = t - rise;

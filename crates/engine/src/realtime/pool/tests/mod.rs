@@ -22,7 +22,6 @@ impl Voice for Echo {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.sum = 0.99 * self.sum + sample.position * (1.0 + self.key as f64).sqrt();
         turn.force = self.sum.sin() + tick as f64;
-        // The work moves between the keys, and each rests at times.
         let part = tick / 50 + self.key as u64;
         turn.work.units = 10 * u32::try_from(part % 7).unwrap().pow(3);
         turn.idle = part.is_multiple_of(3);
@@ -69,7 +68,6 @@ impl Voice for Blocking {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-/// Voice whose turn is a function of the tick.
 struct Turn<F>(F);
 
 impl<F: FnMut(u64, &mut VoiceOutput)> Voice for Turn<F> {
@@ -91,7 +89,6 @@ fn panicking() -> BoxedVoice {
     })
 }
 
-/// Voice that reports when it is freed.
 struct Dropping(Sender<()>);
 
 impl Voice for Dropping {
@@ -146,7 +143,6 @@ impl Run {
         &self.turns
     }
 
-    /// Returns the observation of `key`: its last ticks and its first state.
     fn seen(&self, key: usize) -> (u32, f64) {
         (self.observed[key].ran, self.observed[key].snapshot.state[0])
     }

@@ -63,9 +63,7 @@ pub(super) struct Body {
 
 struct Kinematics {
     pad: Pad,
-    /// Vector from the centre to the point (m).
     arm: [f64; 2],
-    /// Velocity (m/s).
     v: [f64; 2],
     t: [f64; 2],
     gap: f64,
@@ -137,7 +135,6 @@ impl Body {
         [0.0, 0.0, 0.0, ax, ay, torque / self.inertia, 0.0, 0.0]
     }
 
-    /// Returns the energy of motion, of height and in the contacts (J).
     pub(super) fn energy(&self, x: &BodyState) -> f64 {
         let motion =
             0.5 * self.mass * (x[3] * x[3] + x[4] * x[4]) + 0.5 * self.inertia * x[5] * x[5];

@@ -69,7 +69,6 @@ fn start<T: Stepper>(scene: &'static str, stepper: T) -> Simulator<WithContacts<
     Simulator::new(model, stepper, Limits::default(), mode, x).without_readout()
 }
 
-/// Runs to `until` (s) with ticks of `h`; calls `each` with the mode before every tick.
 fn run<T: Stepper>(
     it: &mut Simulator<WithContacts<Body>, T>,
     (h, until): (f64, f64),
