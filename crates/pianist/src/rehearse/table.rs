@@ -203,11 +203,22 @@ pub fn tabulate<R: Rehearsal>(instrument: &R, touch: Touch, technique: &Techniqu
     let commands = std::iter::successors(Some(slowest), next).take_while(|it| *it < FASTEST);
     let commands = commands.chain([FASTEST]);
     let trial = |command| measure(instrument, touch, command, technique);
-    let mut points = rising(&commands.filter_map(trial).collect::<Vec<_>>(), |point| point.hammer);
+    let trials: Vec<_> = commands.filter_map(trial).collect();
+    let mut points = with_loudest(rising(&trials, |point| point.hammer), &trials);
     if let Some(softest) = points.first().copied() {
         points.splice(..0, softer(softest, slowest, trial));
     }
     StrokeTable { points }
+}
+
+/// Returns `points` up to the loudest of all `trials`: beyond a fold, faster fingers are no louder.
+/// An outlier that spoils most of the table is none.
+fn with_loudest(points: Vec<TablePoint>, trials: &[TablePoint]) -> Vec<TablePoint> {
+    let loudest = trials.iter().max_by(|a, b| a.hammer.total_cmp(&b.hammer));
+    let Some(loudest) = loudest else { return points };
+    let is_below = |it: &&TablePoint| it.command < loudest.command && it.hammer < loudest.hammer;
+    let below: Vec<_> = points.iter().filter(is_below).chain([loudest]).copied().collect();
+    if points.len() < 2 * below.len() { below } else { points }
 }
 
 /// Searches the softest stroke between a finger speed that strikes and the slowest one (m/s);
