@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::letoff::{check_words, folder, run};
 
 /// Allowed root mean square deviation of `grand` from the published curve (N).
+///
 /// The published one is flat between its corners; an action's curve has the slopes of its levers,
 /// and from 6.3 mm on the spring of the repetition lever.
 const PUBLISHED: f64 = 0.15;

@@ -9,9 +9,10 @@ use std::sync::atomic::AtomicBool;
 use engine::voice::VoiceBuilder;
 use figures::rehearsal::{PlayedScore, perform};
 use haptics::Gesture;
+use host::RehearsalCache;
 use host::control::RunHandle;
 use host::report::RunReport;
-use host::session::{FoundKeys, RehearsalCache, RunOptions, RunSession};
+use host::session::{FoundKeys, RunOptions, RunSession};
 use midi::Velocity;
 use midly::num::{u4, u7, u15, u28};
 use midly::{Format, Header, MetaMessage, MidiMessage, Smf, Timing, TrackEvent, TrackEventKind};
@@ -264,6 +265,7 @@ fn what_the_keys_cannot_do_is_left_out_and_named() {
     let first = &notes.shortfalls[0];
     let first = format!("C4 at {:.3} s is {}", first.at_s, first.why);
     assert!(said.contains(&first), "{said}");
+    assert!(said.contains("  result      poor: ") && said.contains("of the notes were missed"));
 }
 
 #[test]
@@ -375,6 +377,7 @@ fn check(report: &RunReport, least: usize) {
     let energy = report.energy_audit;
     assert!(0.0 < energy.supplied && 0.0 < energy.dissipated, "{energy:?}");
     assert!(energy.integration.abs() < UNEXPLAINED * energy.supplied, "{energy:?}");
+    assert!(report.to_string().contains("  result      good: "), "{report}");
 }
 
 #[track_caller]

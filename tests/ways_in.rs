@@ -1,4 +1,5 @@
 //! Every public type of a library has a way in: an item that another crate names leads to it.
+//!
 //! A type is reached if product code of another crate names it, or an example of `pode`, or a
 //! reached item of its own crate. The compiler cannot check it: it counts a public item as used.
 

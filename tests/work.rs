@@ -16,6 +16,7 @@ use scheduler::voice::VoiceWork;
 use crate::stage::{Stage, key, keybed, play_all, scene, stroke};
 
 /// Time after which an unplayed keyboard must be asleep (ms).
+///
 /// At power-up the force rises over 20 ms and sets the hammers swinging, like a stroke; the motion
 /// of a playable key falls below a voice's threshold of rest within 6 s, and within 10 s after a
 /// released key has thrown it against its rest.
@@ -104,6 +105,7 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
 }
 
 /// The first 5 s of the scene `springs`: (derivatives, guards, events). They change with a model, a
+///
 /// preset, the pianist or the numerics. If intended, enter the values that the failing test prints,
 /// and explain in the commit why they grew. They are the same on every machine whose libm gives the
 /// same sines; another libm may move an event by a rounding, and a count with it.

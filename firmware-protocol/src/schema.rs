@@ -1,4 +1,5 @@
 //! The layouts of the cyclic frames as one text, and its hash.
+//!
 //! A board reports the hash of its build in its hello; a host never arms a board with another
 //! one. So a changed layout is rejected even if the version was forgotten. Every change of a
 //! cyclic frame must change the text; a test compares some of it with the code.

@@ -11,6 +11,7 @@ impl SequenceNumber {
     }
 
     /// Compares a frame with this number with the newest one before it, `newest`.
+    ///
     /// The number wraps around, so half of the circle counts as newer: a receiver without frames
     /// for 127 numbers must forget `newest`.
     pub const fn after(self, newest: Self) -> FrameOrder {

@@ -163,6 +163,7 @@ pub(crate) fn number(report: &Value, path: &str) -> f64 {
 
 /// Returns `true` if host and boards got their time: the host woke for all but a few ticks, and
 /// neither a bare timer nor the boards' service was very late.
+///
 /// The verdict is independent of the links, so a host that exchanges badly is still judged.
 pub(crate) fn had_time(report: &Value, boards: &[Value]) -> bool {
     had_host_time(report) && boards.iter().all(|it| number(it, "/longest_gap_ms") < 10.0)

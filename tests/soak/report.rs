@@ -12,6 +12,7 @@ pub(crate) struct PromiseVerdict {
 }
 
 /// Returns the music, the intended faults, and a line for each verdict. The digest covers the
+///
 /// forces of all keys and every MIDI message: in virtual time a seed gives one digest.
 pub(crate) fn text(
     choice: &SoakChoice,

@@ -61,8 +61,8 @@ fn command(folder: &Path, arguments: &[&str]) -> Command {
 
 fn with_arguments(mut command: Command, folder: &Path, arguments: &[&str]) -> Command {
     command.current_dir(folder).args(arguments).stdin(Stdio::null());
-    // A real host on this machine must not be disturbed.
-    command.env("LETOFF_SOCKET", folder.join("socket"));
+    // A real host on this machine must not be disturbed, nor a rehearsal of another test be found.
+    command.env("LETOFF_SOCKET", folder.join("socket")).env("XDG_CACHE_HOME", "/dev/null");
     command
 }
 

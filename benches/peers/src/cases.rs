@@ -58,6 +58,7 @@ fn ball() -> Case {
 }
 
 /// The stroke of model B: height (rad), time (s) and 1/width (1/s) of each bell.
+///
 /// Only the position: where b1 is zero nothing else of the input enters, and the peers compute
 /// nothing else. Peers with a series of their own derive the same one from the formula.
 #[derive(Clone, Copy)]

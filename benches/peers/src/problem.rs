@@ -3,6 +3,7 @@
 use pode::Nature;
 
 /// A piecewise-continuous problem with `N` states and `G` guards.
+///
 /// The first guard that falls through zero fires, at the time of its zero; its reset map returns
 /// the mode and state from which the code continues.
 pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {

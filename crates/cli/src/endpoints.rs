@@ -103,7 +103,10 @@ impl Endpoints {
             LinksConfig::Boards(boards) => format!("boards on {} links", boards.buses.len()),
         };
         let midi = session.midi();
-        let plays = format!("plays {name:?}: {n_voices} voices at {hz} Hz on {keys}; MIDI: {midi}");
+        let is_silent = midi == "none" && scene.links == LinksConfig::Simulated;
+        let remedy = if is_silent { ", so nothing is heard: give --sound or --midi" } else { "" };
+        let plays =
+            format!("plays {name:?}: {n_voices} voices at {hz} Hz on {keys}; MIDI: {midi}{remedy}");
         let streams = self.stream.as_ref().map(|stream| stream.news.clone());
         [Some(plays), streams].into_iter().flatten().collect()
     }

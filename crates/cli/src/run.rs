@@ -21,13 +21,12 @@ use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, about, live, print_report, report_interpretation, system, tell};
+use host::RehearsalCache;
 use host::control::{BoardsTold, Clients, RunHandle, StartingHost, StatusSink, temporary_folder};
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::{ChosenFidelity, RunReport};
-use host::session::{
-    FoundKeys, Healing, RehearsalCache, RunOptions, RunSession, SessionError, choose_fidelity,
-};
+use host::session::{FoundKeys, Healing, RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{Library, LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
 use telemetry::log::Level;

@@ -1,4 +1,5 @@
 //! The real pool, scheduler and loop under disturbances: no voice waits while there is time.
+//!
 //! Voices use processor time by their thread's clock, so other programs do not affect the results.
 #![expect(clippy::unwrap_used, reason = "a test may stop here")]
 

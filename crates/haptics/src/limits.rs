@@ -41,6 +41,7 @@ pub struct Gated {
 }
 
 /// Limits a force in size and slew, and rejects NaN and infinity.
+///
 /// Forces change by ramps at the slew limit; a wanted force that is not finite counts as zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceGate {

@@ -20,7 +20,10 @@ pub mod control;
 pub mod guardian;
 pub mod midi_thread;
 pub mod observe;
+mod rehearsal_cache;
 pub mod replay;
 pub mod report;
 pub mod session;
 pub mod simulated;
+
+pub use rehearsal_cache::RehearsalCache;

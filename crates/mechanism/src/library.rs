@@ -88,6 +88,7 @@ impl Library {
     }
 
     /// Returns the model of the description at `path`.
+    ///
     /// A file with the contents of a version in use returns that version.
     ///
     /// # Errors

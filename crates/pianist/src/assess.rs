@@ -232,10 +232,15 @@ impl NoteFindings {
         match fall.filter(|fall| next.is_none_or(|next| fall.at <= next)) {
             Some(fall) => {
                 self.end.add(micros(fall.at - note.end));
-                let release = note.release.map(|wanted| fall.release.abs_diff(wanted));
-                release.into_iter().for_each(|error| self.release.add(error.into()));
+                if let Some(wanted) = note.release {
+                    self.release.add(fall.release.abs_diff(wanted).into());
+                }
             }
-            None => next.into_iter().for_each(|next| self.end.add(micros(next - note.end))),
+            None => {
+                if let Some(next) = next {
+                    self.end.add(micros(next - note.end));
+                }
+            }
         }
     }
 

@@ -48,7 +48,7 @@ impl Performance {
         };
         let gestures = (0..KEYS).map(|_| take(input, gesture)).collect::<Option<Vec<_>>>()?;
         let expected = take(input, |[key, onset, speed, velocity, end, release]| {
-            let release = if release == NONE { None } else { Some(small(release)?) };
+            let release = if release < 0.0 { None } else { Some(small(release)?) };
             let (key, velocity) = (small(key)?, small(velocity)?);
             Some(ExpectedNote { key, onset, speed, velocity, end, release })
         })?;

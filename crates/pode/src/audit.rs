@@ -32,6 +32,7 @@ impl Add for EnergyBalance {
 }
 
 /// A model that can account for its energy.
+///
 /// Models with costly common terms override [`Energetic::balance_of_state`] and `balance_of_input`.
 pub trait Energetic: Guarded {
     /// Returns the energy stored in `x` (J).

@@ -19,6 +19,7 @@
 //! A guard that its own reset map leaves at zero or below is `Spent`, and silent like a disarmed
 //! one. If it then sinks, and the reset map would turn it there, as an impact turns a body at rest
 //! on a floor, it fires again where it leaves zero.
+//!
 //! A guard that fires on crossings only is also `Leaving` if it crossed at the instant of another
 //! one that fired first, or in a jump of the input.
 

@@ -26,6 +26,7 @@ pub struct Limits {
 }
 
 /// Limit of the derivatives and guards evaluated in one tick; a running search is finished.
+///
 /// Unlike the other limits it depends on the caller's time, and may change between ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WorkLimit {

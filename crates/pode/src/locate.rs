@@ -49,6 +49,7 @@ pub struct Located {
 /// `seed` is the root of a model of the guard, with its `slope` there. `guard` is evaluated at most
 /// four times more than bisection to the tolerance needs. A guard that rests at zero is located
 /// where it turns negative, one that jumps is located after the jump.
+///
 /// Oliveira & Takahashi 2020 `[OT20]`, with κ1 = 0.2/(b − a), κ2 = 2, n0 = 1.
 pub fn locate(
     guard: impl FnMut(f64) -> f64,

@@ -72,6 +72,7 @@ pub trait Model {
 }
 
 /// Conditions of a mode: constraints on the state, and guards that end it, in reach of a step.
+///
 /// A model that is always valid has none: `impl Guarded for X {}`.
 pub trait Guarded: Model {
     /// Returns `x` with the coordinates that `mode` slaves to the input put in place.
@@ -137,6 +138,7 @@ pub trait Guarded: Model {
 }
 
 /// Where the state lands, and in which mode, when a guard fires.
+///
 /// A model whose guards only tell when they are crossed needs no more than `impl Resets for X {}`.
 pub trait Resets: Guarded + Sized {
     /// Applies the reset map x⁺ = H(x⁻, u), by default the identity. `[GC93]` eq. 12.

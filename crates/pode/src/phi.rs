@@ -92,6 +92,7 @@ fn halvings(size: f64, h: f64) -> (u32, f64) {
 
 /// Approximates the least row sum of magnitudes in any units of the state's entries: at least the
 /// largest eigenvalue of the magnitudes. `[HJ13]` theorem 8.1.26
+///
 /// Rounding does not depend on the units, but the row sum of a stiff oscillator is as large as its
 /// stiffness, and would cause many useless halvings.
 fn size<S: State>(a: &S::Matrix) -> f64 {

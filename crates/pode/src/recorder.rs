@@ -72,6 +72,7 @@ impl<M: Guarded> RunRecorder<M> {
     }
 
     /// Returns the recorder, also taking samples from dense output at the multiples of `every` (s).
+    ///
     /// At an event's time it samples the state before it. Times within a move over accumulating
     /// impacts, or held after a maximum was reached, have no sample.
     #[must_use]

@@ -1,4 +1,5 @@
 //! Case C1 and its family: a ball of any restitution and height, whose bounces accumulate (Zeno).
+//!
 //! Flights are parabolas, which RK4 and its dense output follow exactly: what is left is rounding,
 //! of each step's sum and of the time at the speed of the impact.
 

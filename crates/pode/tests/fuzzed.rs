@@ -1,4 +1,5 @@
 //! Every tick keeps its promises for every model, input and limits.
+//!
 //! The twin of `fuzz/`, for seconds instead of hours: the same model of arbitrary bytes.
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::wildcard_imports, reason = "the list of methods is `every_stepper`")]

@@ -40,6 +40,7 @@ impl LaneReport {
 }
 
 /// Runs each slot's voice in the order of the slots, and writes its turn and observation.
+///
 /// When `budget` has no time left, the other voices wait and are the first of the next tick. One
 /// voice is always run. Nothing is written for other keys, and no other voice is called.
 pub fn run_slots<V: Voice, C: LaneClock>(

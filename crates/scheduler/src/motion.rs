@@ -47,6 +47,7 @@ impl KeySample {
 }
 
 /// Continuation of the force on a key around the point for which it was computed.
+///
 /// F + stiffness (position − s) + damping (velocity − s'), until the next force arrives.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct KeySlope {

@@ -4,6 +4,7 @@
 use crate::motion::KEYS;
 
 /// Most entries of a state.
+///
 /// Never cut, since guards and outputs are computed from it: a builder rejects larger models.
 pub const MAX_STATES: usize = 32;
 

@@ -12,6 +12,7 @@ pub trait KeyBus {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
 
     /// Sends the forces of `tick` (N, up positive), and their slopes until the next.
+    ///
     /// A bus with motors that hold their force ignores the slopes.
     fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]);
 
@@ -24,6 +25,7 @@ pub trait KeyBus {
 /// Workers that run the voices.
 pub trait Lanes {
     /// Runs every voice and writes its turn, and its observation if its key is followed.
+    ///
     /// A voice of a late lane has its previous force held, marked late.
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>);
 }

@@ -11,6 +11,7 @@ use crate::work::{TurnLimit, VoiceKind};
 const OCTAVE: usize = 12;
 
 /// Returns the lane that runs `key` when there are `n_lanes`.
+///
 /// Neighbours and octaves are on different lanes, since hands play chords and a chord should not
 /// load one lane. Lanes differ by a few keys at most.
 ///
@@ -25,6 +26,7 @@ pub const fn lane_of(key: usize, n_lanes: usize) -> usize {
 const MAX_FAULTS: u32 = 3;
 
 /// Failed turns of a voice.
+///
 /// Each failed turn counts, whatever lies between: a voice that fails in every turn costs its
 /// neighbours most, and one that alternates between fault and recovery is felt as a buzz.
 #[derive(Clone, Copy, Debug, Default)]
@@ -36,6 +38,7 @@ struct Lockout {
 
 impl Lockout {
     /// Counts a turn that came `passed` ticks of 1/`hz` (s) after the previous one.
+    ///
     /// A failing sensor does not count as a fault of the voice, which returns with the sensor.
     fn note(&mut self, fault: Option<VoiceFault>, passed: u32, hz: u32) {
         self.level = self.level.saturating_sub(passed);
@@ -167,6 +170,7 @@ impl<V: Voice> Slot<V> {
     }
 
     /// Changes the voice's values; returns `false` if the voice is of another model or panicked.
+    ///
     /// A retuned voice continues from its state with a fresh force; a muted one restarts at rest.
     ///
     /// # Real-time
@@ -225,6 +229,7 @@ impl<V: Voice> Slot<V> {
     }
 
     /// Runs the voice for `tick`; a force that is not finite becomes a fault. A voice that failed
+    ///
     /// is reset at the next sample with a fresh force; one that generated energy or fails
     /// repeatedly is muted. A key without samples for half a second has no turns and resumes as
     /// after a fault. The damper of a key that failed or has no samples falls, so its note ends.

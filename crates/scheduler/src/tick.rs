@@ -22,6 +22,7 @@ pub struct TickReport {
 }
 
 /// Runs all keys, one tick at a time.
+///
 /// A scheduler owns all memory of a tick: [`SCHEDULER_KB`] where pointers have 64 bits.
 #[derive(Debug)]
 pub struct Scheduler {
@@ -80,6 +81,7 @@ impl Scheduler {
     }
 
     /// Runs the newest tick that is due at `now`, if it has not been run yet. Reads no clock,
+    ///
     /// sleeps, allocates and locks nothing; bounded by what the ports promise. A tick whose
     /// successor is due as well is skipped, never run to catch up: no voice sees its number, due
     /// times do not move, and every key treats the gap as an outage (see [`crate::safety`]).

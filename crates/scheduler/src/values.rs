@@ -4,6 +4,7 @@
 pub const MAX_VALUES: usize = 128;
 
 /// One value per parameter of a model, each in its parameter's unit.
+///
 /// Owns no memory, so the tick can receive it from a ring and drop it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ModelValues {
@@ -16,6 +17,7 @@ pub struct ModelValues {
 impl ModelValues {
     /// Returns `values` for voices of the model version `model`, with `revision` as their number;
     /// `None` if there are more than [`MAX_VALUES`].
+    ///
     /// Two versions of one description may have different parameters.
     pub fn new(model: u64, revision: u32, values: &[f64]) -> Option<Self> {
         let mut all = [0.0; MAX_VALUES];

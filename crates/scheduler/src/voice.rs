@@ -29,6 +29,7 @@ pub trait Voice {
     }
 
     /// Sets the rules of the turns from the next tick on; [`TurnRules::FREE`] hold at first.
+    ///
     /// A simplification leaves no step in the force, which is computed from the same state. A voice
     /// with turns that are all alike may ignore the limit.
     ///

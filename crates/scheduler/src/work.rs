@@ -41,6 +41,7 @@ impl TurnLimit {
 
     /// Returns the limit of a voice without recent failures that may take `units` by its lane's
     /// time, in a tick of 1/`hz` (s).
+    ///
     /// The hardest strokes of the default action take up to 200 units at 1 kHz, a fifth of them in
     /// the first quarter of the tick. On a slow processor that is more than a tenth of a lane's
     /// time, and no stroke may be cut off: there the limit is strict for the first quarter only.
@@ -118,6 +119,7 @@ impl LaneClock for NoClock {
 }
 
 /// Time of a lane in one tick, spent by the costs of what its voices do.
+///
 /// The lane reads the clock where half of the time is spent by the costs, and then whenever half
 /// of the time left then is spent. A lane with little to do never reads the clock.
 #[derive(Debug)]
@@ -189,6 +191,7 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
     }
 
     /// Reads the clock and grants half of the time left, if a turn of `units` fits into it.
+    ///
     /// The clock is right: if the tick took less than its costs so far, the turn will as well. No
     /// turn takes more than its limit.
     #[cold]

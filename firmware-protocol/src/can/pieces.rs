@@ -23,6 +23,7 @@ pub const fn count(len: usize) -> usize {
 }
 
 /// Cuts `frame` into pieces, each with its length, under the rolling number `roll`.
+///
 /// Bytes beyond the longest frame are dropped.
 pub fn cut(frame: &[u8], roll: u8) -> impl Iterator<Item = ([u8; 8], usize)> + '_ {
     let frame = &frame[..frame.len().min(MAX_FRAME)];

@@ -1,4 +1,5 @@
 //! Bare timer thread, to compare the tick with.
+//!
 //! It runs beside the tick, with the same period and priority, between the tick's due times.
 //! Lateness in both is due to the machine; lateness only in the tick is due to this program.
 

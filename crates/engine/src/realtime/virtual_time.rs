@@ -1,4 +1,5 @@
 //! Ticks without waiting: each runs at its due time in virtual time.
+//!
 //! Lanes are awaited without limit: the same bits whatever the clock and the number of lanes.
 
 use scheduler::port::{KeyBus, TickObserver};

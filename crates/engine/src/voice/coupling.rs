@@ -19,6 +19,7 @@ pub struct CouplingConstants {
 /// measured accelerations: the encoder's rounding would be felt as blows. So the model's key has
 /// the model's inertia, and moves under the forces of coupling and model; the player feels the
 /// coupling. A force that is passive for the coupling's end is passive for the player.
+///
 /// The virtual coupling of `[CSB95]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupling {

@@ -3,6 +3,7 @@
 use super::{Estimator, KeyMotion, assert_positive};
 
 /// First and second backward difference. The rig of `[GC93]` §6 used this estimator.
+///
 /// No lag beyond half a period, but one count of an encoder moves the velocity by
 /// quantum / period and the acceleration by quantum / period².
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 use super::{Estimator, KeyMotion, assert_positive};
 
 /// Velocity and acceleration of the key behind a critically damped low pass of second order.
+///
 /// The low pass runs in continuous time between samples, which are joined by straight lines, so
 /// late and early samples have their right weight. Velocity lags by 2 / (2π cutoff).
 #[derive(Clone, Copy, Debug, PartialEq)]

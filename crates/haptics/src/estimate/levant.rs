@@ -7,6 +7,7 @@ const GAINS: [f64; 3] = [2.0, 2.12, 1.1];
 const NEWTON_STEPS: usize = 8;
 
 /// Exact sliding-mode differentiator of second order, for keys of bounded jerk, in finite time.
+///
 /// The step is implicit, so it does not chatter at any sample rate: an innovation that the last
 /// power alone can explain is used as it is. `[Lev03]` (gains), `[CL19]` (step).
 #[derive(Clone, Copy, Debug, PartialEq)]

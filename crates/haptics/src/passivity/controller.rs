@@ -21,6 +21,7 @@ const KEPT: f64 = 0.75;
 /// the key keeps within that acceleration and the motor renders each force in time.
 ///
 /// A spring that begins slowly needs the tank: a small one makes its first millimetre soft.
+///
 /// The controller of `[HR02]` dissipates energy after it was generated; this one prevents it. The
 /// tank is that of `[FSR11]`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -15,7 +15,7 @@ use super::run_status::nanos_now;
 use super::voice_port::VoicePort;
 use super::{BackgroundWork, EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING, RunStatus};
 use crate::observe::{LogSink, MessageSink as _, RecordingHandle, TelemetryMessage};
-use crate::session::RehearsalCache;
+use crate::rehearsal_cache::RehearsalCache;
 
 /// Access of requests to a run, from its preparation to its end.
 ///

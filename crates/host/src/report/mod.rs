@@ -357,13 +357,7 @@ impl MidiReport {
         let Self { output, trouble, .. } = self;
         let port =
             trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"));
-        match &self.sound {
-            Some(sound) => format!("{port}; {sound}"),
-            None if output == "none" => {
-                format!("{port}; nothing is heard without --sound or --midi")
-            }
-            None => port,
-        }
+        self.sound.as_ref().map_or_else(|| port.clone(), |sound| format!("{port}; {sound}"))
     }
 
     fn fmt_line(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -213,7 +213,7 @@ impl NoteReport {
         )?;
         match &self.release_error {
             Some(ErrorQuantiles { p50, p99, max }) => {
-                writeln!(f, "; release velocity error p50 {p50:.0} p99 {p99:.0} max {max:.0}")?
+                writeln!(f, "; release velocity error p50 {p50:.0} p99 {p99:.0} max {max:.0}")?;
             }
             None => writeln!(f)?,
         }

@@ -9,7 +9,6 @@ use crate::control::RunHandle;
 use crate::guardian::{GuardedOutput, GuardedPort, GuardianReport, GuardianTrouble};
 use crate::midi_thread::{AnyOutput, PlaybackSummary};
 use crate::report::{MidiReport, Quantiles};
-use crate::session::sound_out::OpenedSound;
 use crate::session::{SessionError, patiently};
 use midi::sound::SoundCounters;
 use scene::{Midi, MidiOutput};
@@ -45,8 +44,8 @@ impl OpenedOutput {
         Self { report, guardian: Arc::default(), sound: None }
     }
 
-    pub(super) fn hear(&mut self, opened: OpenedSound) {
-        (self.report.sound, self.sound) = (opened.words, opened.counters);
+    pub(super) fn hear(&mut self, sound: String, counters: Option<Arc<SoundCounters>>) {
+        (self.report.sound, self.sound) = (Some(sound), counters);
     }
 
     /// Returns its part of the report after the run, by this process and by the guardian.

@@ -10,7 +10,6 @@ mod monitored_output;
 mod observed;
 mod play_list;
 mod real;
-mod rehearsal_cache;
 mod sound_out;
 mod threads;
 mod trial;
@@ -61,7 +60,6 @@ pub use fidelity::choose_fidelity;
 pub use found_keys::FoundKeys;
 pub use play_list::PianistProgress;
 use play_list::RehearsedPlayList;
-pub use rehearsal_cache::RehearsalCache;
 pub use trial::RunTrial;
 use unit_costs::UnitCosts;
 
@@ -286,8 +284,7 @@ impl RunSession {
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let timing = play_list.as_ref().and_then(|it| it.timing.as_ref());
         let (output, mut midi) = midi_out::open(&scene.midi, timing, &handle)?;
-        let (output, heard) = sound_out::add(scene, output)?;
-        midi.hear(heard);
+        let output = sound_out::add(scene, output, &mut midi)?;
         let output: AnyOutput = Box::new(MonitoredOutput { output, sender: observed.sender() });
         let (wake, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         let dispatcher = dispatcher(consumer, (output, scene.midi.curve), performance, &counters);

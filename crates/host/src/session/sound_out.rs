@@ -1,17 +1,16 @@
 //! Sound and picture of a run, beside its MIDI output.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use documents::shown;
 use figures::plot::color::{CURVES, Color};
 use figures::plot::picture::{Picture, PictureArea, PictureAxis, PicturePanel};
 use firmware_protocol::key::KeyIndex;
-use midi::sound::{Font, LiveSound, Programs, SoundCounters, SoundError, WavFile};
+use midi::sound::{Font, LiveSound, Programs, SoundError, WavFile};
 use midi::{Message, MidiSendError, Output};
 
 use super::SessionError;
-use super::midi_out::refuse_without_folder;
+use super::midi_out::{OpenedOutput, refuse_without_folder};
 use crate::midi_thread::AnyOutput;
 use scene::{Instrument, Scene, SoundConfig};
 
@@ -42,19 +41,12 @@ impl Output for Tee {
     }
 }
 
-/// Outputs of sound and picture, opened.
-#[derive(Clone, Debug, Default)]
-pub(super) struct OpenedSound {
-    /// What can be heard or seen; a few words.
-    pub(super) words: Option<String>,
-    pub(super) counters: Option<Arc<SoundCounters>>,
-}
-
-/// Returns `output` together with the sounds that `scene` wants.
+/// Returns `output` together with the sounds that `scene` wants, which `midi` reports.
 pub(super) fn add(
     scene: &Scene,
     output: AnyOutput,
-) -> Result<(AnyOutput, OpenedSound), SessionError> {
+    midi: &mut OpenedOutput,
+) -> Result<AnyOutput, SessionError> {
     let SoundConfig { is_live, wav, picture, font } = &scene.midi.sound;
     let (mut outputs, mut words, mut counters) = (vec![output], Vec::new(), None);
     for path in wav.iter().chain(picture) {
@@ -87,10 +79,10 @@ pub(super) fn add(
         outputs.push(Box::new(NotePicture::new(path, scene.name.clone())));
     }
     if outputs.len() == 1 {
-        return Ok((outputs.remove(0), OpenedSound::default()));
+        return Ok(outputs.remove(0));
     }
-    let words = Some(words.join("; "));
-    Ok((Box::new(Tee(outputs)), OpenedSound { words, counters }))
+    midi.hear(words.join("; "), counters);
+    Ok(Box::new(Tee(outputs)))
 }
 
 /// Returns the General MIDI program of each key's model; a piano for a model without one.

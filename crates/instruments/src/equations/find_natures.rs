@@ -78,6 +78,7 @@ struct Rates {
 impl Rates {
     /// Returns the largest rates over the poses between two at which the mode holds, with its
     /// guards positive; over these two if it holds at none.
+    ///
     /// Other poses do not count: rubbing under a force that never occurs would be the fastest.
     fn of<F: Equations + Clone, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,

@@ -14,6 +14,7 @@ pub fn sign(x: f64) -> f64 {
 }
 
 /// Returns the smaller of two numbers; the first if one of them is NaN.
+///
 /// One instruction, with one result on every machine: `f64::min` leaves the sign of zero open.
 #[inline]
 pub fn smaller(x: f64, y: f64) -> f64 {

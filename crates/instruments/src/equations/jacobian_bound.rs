@@ -10,6 +10,7 @@ const ROUNDS: usize = 12;
 
 /// Returns an upper bound of the eigenvalues' magnitudes for the rows and columns of `entries`: of
 /// the Perron root of their magnitudes, which for one oscillator is its rate.
+///
 /// For any positive v the root is at most the largest of (A v)_i/v_i (Collatz and Wielandt). Each
 /// round uses the geometric mean of v and A v, which converges to the eigenvector even where A v
 /// alone would oscillate, as between coordinates and speeds.

@@ -7,6 +7,7 @@ use crate::equations::natures::{MAX_MODES, ModeNatures};
 use crate::equations::table::{Arguments, Equations, FunctionId, ModeTable, ModelTable};
 
 /// A model whose equations are functions by number, with its constants in the object.
+///
 /// The state has N entries; those beyond the table's stay 0. There is room for C constants.
 #[derive(Clone, Copy, Debug)]
 pub struct EquationModel<F, const N: usize, const C: usize> {

@@ -1,4 +1,5 @@
 //! The Taylor series of a mode, by the two functions of its table.
+//!
 //! Here is what all models share: the order of the coefficients, and the sums over lower orders.
 
 use pode::Motion;

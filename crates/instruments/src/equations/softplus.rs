@@ -32,6 +32,7 @@ impl Softplus {
     }
 
     /// Returns ∫ sp from −∞ to x: the energy of a softened linear spring.
+    ///
     /// With L = sp(x), dx = dL/(1 − e^−L): the integral of L/(1 − e^−L).
     pub fn area(&self) -> f64 {
         let l = self.value;

@@ -264,10 +264,12 @@ impl ModeTable {
 }
 
 /// The Taylor series of a mode: two functions, and the count of numbers between them.
+///
 /// A lane is a pair of factors with summed products; the functions return factors and use sums.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SeriesTable {
     /// Computes the outputs at the start of the series, then the numbers carried to the steps.
+    ///
     /// The outputs are the derivative of the entries that move by equations, then slaved entries,
     /// guards and conditions.
     pub start: FunctionId,

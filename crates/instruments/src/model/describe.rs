@@ -29,6 +29,7 @@ pub trait NamedModes: Model {
 }
 
 /// A model with a name, parameters, and names for all its quantities.
+///
 /// The description belongs to the value, since one type is every model from a file. The state is an
 /// array, so that entries can be set by name: `x.as_mut()[index]`.
 pub trait Described:
@@ -97,6 +98,7 @@ pub trait Playable: Described {
 }
 
 /// A damper that a key lifts off its string.
+///
 /// `lift` is above `fall` by many encoder counts, so that a key held at a height does not chatter.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Damper {
@@ -110,12 +112,14 @@ impl Damper {
     pub const USUAL: Self = Self { lift: 5.0e-3, fall: 4.6e-3 };
 
     /// Default softest tone (m/s).
+    ///
     /// Grands were measured to give no tone below 0.18 m/s (piano-facts). The default is a little
     /// less, so that the limit is below the softest MIDI velocity of the Disklavier's curve.
     pub const USUAL_SOFTEST_TONE: f64 = 0.15;
 }
 
 /// Returns the speed of a grand's hammer (m/s) that is as loud as a strike at `speed` (m/s).
+///
 /// The softest and the loudest strike of an instrument with these conventions map to a grand's
 /// softest and loudest tone, and those between logarithmically, as loudness is heard.
 pub fn hammer_speed(midi: &MidiTable, speed: f64) -> f64 {

@@ -1,4 +1,5 @@
 //! A mechanism from the side, to scale: x to the right, y up (m).
+//!
 //! A model states its parts and what moves each of them; the viewer needs only the signals.
 
 pub use crate::equations::table::Material;

@@ -57,6 +57,7 @@ pub type SmallModel = Loaded<4, 192>;
 type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 
 /// A model with the values of its default preset, as one of a few types.
+///
 /// The types differ by the size of their arrays, so that a model in the tick needs no heap and a
 /// new description no new type. Each type is compiled with all methods wherever models are visited,
 /// so there are few: a large model, or one with contacts, hardly notices spare room.

@@ -122,7 +122,7 @@ fn score(kind: &Kind, n_notes: u32, random: &mut SeededRandom) -> Score {
 
 /// Figures of one kind of music.
 #[derive(Debug, Serialize)]
-struct Row {
+struct KindRow {
     kind: &'static str,
     notes: usize,
     struck: usize,
@@ -139,7 +139,7 @@ struct Row {
     work: f64,
 }
 
-impl Row {
+impl KindRow {
     fn new(kind: &'static str, it: &PlayedScore) -> Self {
         let errors = |spread: Spread| [spread.p50, spread.p99];
         let found = &it.assessment;
@@ -181,7 +181,7 @@ pub(super) fn run(args: &PerformanceArgs, out: &mut dyn Write) -> Result<(), Fai
         let mut score = score(kind, args.notes, &mut SeededRandom::new(args.seed, system));
         score.notes.retain(|note| scene.keys[usize::from(note.key)].is_some());
         let played = perform(&builder, &pianist, &score).map_err(|error| failed(&error))?;
-        rows.push(Row::new(kind.name, &played));
+        rows.push(KindRow::new(kind.name, &played));
     }
     let table = table(&rows);
     if let Some(folder) = &args.out {
@@ -198,7 +198,7 @@ pub(super) fn run(args: &PerformanceArgs, out: &mut dyn Write) -> Result<(), Fai
         return print_json(&rows, out);
     }
     for row in &rows {
-        let Row { kind, struck, notes, onset_ms, velocity, end_ms, release_velocity, .. } = row;
+        let KindRow { kind, struck, notes, onset_ms, velocity, end_ms, release_velocity, .. } = row;
         writeln!(
             out,
             "{kind:12} {struck} of {notes} struck; p99: onset {:.2} ms, velocity {:.0}, end {:.1} ms, \
@@ -209,7 +209,7 @@ pub(super) fn run(args: &PerformanceArgs, out: &mut dyn Write) -> Result<(), Fai
     print_page(args.out.as_deref(), PAGE, out)
 }
 
-fn table(rows: &[Row]) -> Table {
+fn table(rows: &[KindRow]) -> Table {
     let columns = [
         ("kind", "Kind"),
         ("notes", "Notes"),
@@ -227,11 +227,11 @@ fn table(rows: &[Row]) -> Table {
         ("cuts", "Cuts"),
         ("work", "Rehearsal over run"),
     ];
-    Table::new(columns).with(rows.iter().map(Row::cells))
+    Table::new(columns).with(rows.iter().map(KindRow::cells))
 }
 
-fn picture(rows: &[Row]) -> Picture {
-    let curve = |name, color, value: fn(&Row) -> f64| {
+fn picture(rows: &[KindRow]) -> Picture {
+    let curve = |name, color, value: fn(&KindRow) -> f64| {
         let points = rows.iter().enumerate().map(|(n, row)| (n as f64, value(row).max(0.01)));
         let stroke = Stroke::new(CURVES[color], 1.5);
         PictureCurve::new(name, stroke, CurveLook::Marks(MarkerShape::Circle), points.collect())

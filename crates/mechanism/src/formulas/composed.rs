@@ -25,6 +25,7 @@ pub(super) fn cosh(graph: &mut Graph, x: Node) -> Node {
 }
 
 /// Builds 4 artanh(x/(q + √2q)) with q = 1 + √(1 + x²): a quarter of the angle.
+///
 /// ln(x + √(1 + x²)) cancels for negative x, and an artanh of half the angle for large x.
 pub(super) fn asinh(graph: &mut Graph, x: Node) -> Node {
     let (one, square) = (graph.constant(1.0), graph.power(x, 2));

@@ -1,4 +1,5 @@
 //! Parses lexemes to an expression, by binding powers.
+//!
 //! Long sums and products are one part each; nesting is counted, so that no pass recurses deeply.
 #![expect(
     clippy::wildcard_enum_match_arm,

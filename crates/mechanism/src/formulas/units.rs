@@ -332,6 +332,7 @@ pub fn number_and_unit(text: &str) -> Option<(f64, &str)> {
 }
 
 /// Converts `number` of the unit `given` to the SI unit `wanted`; `None` if they differ in kind.
+///
 /// An angle is not a ratio here: revolutions per second are not hertz.
 pub fn converted(number: f64, given: &str, wanted: &str) -> Option<f64> {
     if given == wanted {

@@ -1,4 +1,5 @@
 //! A description whose names, units and expressions were checked.
+//!
 //! Expressions are nodes of one graph over [`Place::Parameter`], [`Place::Coordinate`],
 //! [`Place::Speed`] and [`Place::Input`]; in modes also over accelerations and reactions, which
 //! the derivation replaces by what they are there. All numbers are SI.

@@ -56,8 +56,9 @@ impl Entry {
     }
 }
 
-/// Functions of a model in machine code. Copies share the code, and each keeps it alive: it is
-/// freed with the last one, which should not happen in the tick. A model at run time holds one for
+/// Functions of a model in machine code.
+///
+/// Copies share the code, and each keeps it alive: it is freed with the last one, which should not happen in the tick. A model at run time holds one for
 /// as long as it can be stepped; no address leaves this type.
 #[derive(Clone)]
 pub struct NativeFunctions {

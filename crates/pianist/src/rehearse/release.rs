@@ -30,7 +30,7 @@ const LIFTS: (f64, f64) = (10e-3, 1.0);
 
 /// A stroke before its release was chosen, with snapshots of its hold.
 #[derive(Clone, Debug)]
-pub(super) struct Held<R> {
+pub(super) struct HeldStroke<R> {
     take: Take<R>,
     gesture: Gesture,
     /// Earliest release (s): after the strike.
@@ -45,7 +45,7 @@ pub(super) struct Released<R> {
     pub(super) n_tries: u32,
 }
 
-impl<R: Rehearsal> Held<R> {
+impl<R: Rehearsal> HeldStroke<R> {
     pub(super) fn new(found: Try<R>, wanted: &PlannedStroke) -> Self {
         let struck = found.strike.map_or(wanted.onset, |strike| strike.at);
         Self { take: found.take, gesture: found.gesture, earliest: struck + SHORTEST_HOLD }
@@ -99,7 +99,8 @@ impl<R: Rehearsal> Held<R> {
                 let other = other.clamp(LIFTS.0, LIFTS.1);
                 let later = lifts.fall(other) - lifts.fall(lift);
                 // The end of a note counts more than its release velocity.
-                lift = if self.earliest <= release - off - later { other } else { lift };
+                let fits = self.earliest <= release - off - later;
+                lift = Some(other).filter(|_| fits).unwrap_or(lift);
             }
             release -= off + lifts.fall(lift) - lifts.fall(before.1);
             if (release.max(self.earliest), lift) == before {

@@ -103,7 +103,7 @@ impl<R> Try<R> {
 
 /// Work for one stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Effort {
+pub(super) enum SearchEffort {
     /// Corrections of a guess: enough for a key that is nearly at rest.
     Usual,
     /// Starts while the key rises, each with the finger that strikes in time.
@@ -117,13 +117,13 @@ pub(super) fn find<R: Rehearsal>(
     practice: &mut Practice<'_>,
     take: &mut Take<R>,
     wanted: &PlannedStroke,
-    effort: Effort,
+    effort: SearchEffort,
 ) -> Option<Try<R>> {
-    if effort == Effort::Usual {
+    if effort == SearchEffort::Usual {
         return Some(find_usual(practice, take, wanted));
     }
     let search = StrokeSearch::new(practice, take, wanted, Touch::Pressed);
-    if effort == Effort::Scan { search.scan(take) } else { search.everything(take) }
+    if effort == SearchEffort::Scan { search.scan(take) } else { search.everything(take) }
 }
 
 /// Finds speed and start by the wanted touch or else by the other; learns from strokes at rest.
@@ -259,9 +259,7 @@ impl<'a> StrokeSearch<'a> {
                 let gesture = self.gesture_from(start, depth);
                 let tried = self.play(take, gesture, self.wanted.onset + OVERDUE);
                 n_tries += 1;
-                if best.as_ref().is_none_or(|best| tried.price < best.price) {
-                    best = Some(tried);
-                }
+                best = best.filter(|best| best.price <= tried.price).or(Some(tried));
             }
             if best.as_ref().is_some_and(|best| best.price <= FAIR) {
                 break;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::release::{Held, Released};
-use super::search::{Effort, Try, find, find_usual};
+use super::release::{HeldStroke, Released};
+use super::search::{SearchEffort, Try, find, find_usual};
 use super::shortfall::IsFree;
 use super::take::Take;
 use super::{
@@ -53,7 +53,7 @@ pub(super) struct KeyStrokes<'a, R> {
 
 /// The last stroke that is played.
 struct Last<R> {
-    held: Held<R>,
+    held: HeldStroke<R>,
     index: usize,
 }
 
@@ -134,9 +134,9 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         let strike = found.strike;
         let struck = strike.map_or(wanted.onset, |strike| strike.at);
         self.complete(&found.take, found.gesture.start, struck);
-        let mut stroke = RehearsedStroke { strike, shortfall, ..RehearsedStroke::new(wanted) };
+        let mut stroke = RehearsedStroke { shortfall, strike, ..RehearsedStroke::new(wanted) };
         stroke.n_tries = found.n_tries;
-        let mut held = Held::new(found, wanted);
+        let mut held = HeldStroke::new(found, wanted);
         let next = self.strokes.get(index + 1).map_or(f64::INFINITY, |next| next.onset);
         let released = held.release(&self.practice, wanted, next);
         stroke.gesture = Some(released.gesture);
@@ -203,23 +203,25 @@ impl<'a, R: Rehearsal> RoomSearch<'a, R> {
         let alike = self.wanted.velocity.get() / ALIKE;
         let known = strokes.turns.get(&alike).copied();
         let known = known.filter(|it| (latest + 1..=earliest).contains(it));
-        for effort in [Effort::Usual, Effort::Scan] {
+        for effort in [SearchEffort::Usual, SearchEffort::Scan] {
             if self.serves(strokes, last, known.into_iter(), effort) {
                 return;
             }
         }
-        let resting = self.rest.max(latest + 1);
+        // If no release is earlier, the earliest one shows how late the stroke would be.
+        let is_only = earliest <= latest;
+        let resting = if is_only { earliest } else { self.rest.max(latest + 1) };
         let resting = REST_STRIDES.iter().map(|later| resting + later);
         let resting = resting.take_while(|it| *it <= earliest);
-        if !self.serves(strokes, last, resting, Effort::Usual) || self.is_cut_long() {
+        if !self.serves(strokes, last, resting, SearchEffort::Usual) || self.is_cut_long() {
             if latest <= TURNS.1 {
-                self.again(strokes, Effort::Scan);
+                self.again(strokes, SearchEffort::Scan);
             }
-            self.serves(strokes, last, self.turns(TURN_STRIDE), Effort::Scan);
+            self.serves(strokes, last, self.turns(TURN_STRIDE), SearchEffort::Scan);
         }
         if DEAR < self.price() {
-            self.again(strokes, Effort::Everything);
-            self.serves(strokes, last, self.turns(FINE_TURN_STRIDE), Effort::Everything);
+            self.again(strokes, SearchEffort::Everything);
+            self.serves(strokes, last, self.turns(FINE_TURN_STRIDE), SearchEffort::Everything);
         }
     }
 
@@ -236,7 +238,7 @@ impl<'a, R: Rehearsal> RoomSearch<'a, R> {
     }
 
     /// Searches without an earlier release again, with more `effort`.
-    fn again(&mut self, strokes: &mut KeyStrokes<'a, R>, effort: Effort) {
+    fn again(&mut self, strokes: &mut KeyStrokes<'a, R>, effort: SearchEffort) {
         let again = find(&mut strokes.practice, &mut strokes.take, self.wanted, effort);
         if let Some(again) = again
             && again.price < self.found.price
@@ -252,9 +254,9 @@ impl<'a, R: Rehearsal> RoomSearch<'a, R> {
         strokes: &mut KeyStrokes<'a, R>,
         last: &mut Last<R>,
         releases: impl Iterator<Item = u32>,
-        effort: Effort,
+        effort: SearchEffort,
     ) -> bool {
-        let enough = if effort == Effort::Everything { price::FAIR } else { ACCEPTABLE };
+        let enough = if effort == SearchEffort::Everything { price::FAIR } else { ACCEPTABLE };
         for steps in releases {
             if self.found.price <= enough {
                 return true;
@@ -263,9 +265,8 @@ impl<'a, R: Rehearsal> RoomSearch<'a, R> {
             let serves = room.found.price <= enough;
             let is_too_dear = self.price() <= room.price - room.found.price;
             if room.price < self.price() {
-                if serves {
-                    strokes.turns.insert(self.wanted.velocity.get() / ALIKE, steps);
-                }
+                let alike = self.wanted.velocity.get() / ALIKE;
+                strokes.turns.extend(serves.then_some((alike, steps)));
                 self.best = Some(room);
             } else if room.found.price < self.found.price && MISSING <= self.found.price {
                 // Neither is played: the report has the nearer one.
@@ -288,7 +289,7 @@ impl<'a, R: Rehearsal> RoomSearch<'a, R> {
         strokes: &mut KeyStrokes<'a, R>,
         last: &mut Last<R>,
         steps: u32,
-        effort: Effort,
+        effort: SearchEffort,
     ) -> Option<Room<R>> {
         let before = &strokes.strokes[last.index];
         let mut released =

@@ -25,7 +25,7 @@ const CLEARED: f64 = 0.35;
 
 /// State of a take at some time.
 #[derive(Clone, Debug)]
-struct Mark<R> {
+struct TakeMark<R> {
     instrument: R,
     /// Samples, strikes and falls before.
     n: [usize; 3],
@@ -38,7 +38,7 @@ pub(super) struct Take<R> {
     instrument: R,
     /// Time of the first snapshot (s): no gesture can begin or end earlier.
     begin: f64,
-    marks: Vec<Mark<R>>,
+    marks: Vec<TakeMark<R>>,
     /// Depths of the key after each [`LOOK`] since then (m).
     depths: Vec<f64>,
     strikes: Vec<Strike>,
@@ -116,7 +116,7 @@ impl<R: Rehearsal> Take<R> {
         while self.now() < until && !is_over(self) {
             if self.depths.len().is_multiple_of(PER_MARK) {
                 let n = [self.depths.len(), self.strikes.len(), self.falls.len()];
-                self.marks.push(Mark { instrument: self.instrument.clone(), n });
+                self.marks.push(TakeMark { instrument: self.instrument.clone(), n });
             }
             self.play(self.now() + LOOK);
             self.depths.push(self.instrument.depth());
@@ -133,7 +133,7 @@ impl<R: Rehearsal> Take<R> {
     /// at the same time, or as a further one.
     pub(super) fn branch(&self, at: f64, gesture: Gesture) -> Self {
         let due = at - 2.0 * self.instrument.period();
-        let time = |mark: &Mark<R>| self.begin + mark.n[0] as f64 * LOOK;
+        let time = |mark: &TakeMark<R>| self.begin + mark.n[0] as f64 * LOOK;
         let early = self.marks.partition_point(|mark| time(mark) <= due);
         let (begin, instrument, [_, strikes, falls]) = match self.marks.get(early.max(1) - 1) {
             Some(mark) => (time(mark), &mark.instrument, mark.n),

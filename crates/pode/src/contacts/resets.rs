@@ -39,6 +39,7 @@ impl<S> ContactMode<S> {
 
 impl<M: GuardedContacts> WithContacts<M> {
     /// Returns the mode in which `x` starts in `structure`, and `x` with sticking contacts at rest.
+    ///
     /// A contact starts closed where its gap is negative; its friction slides where the slip speed
     /// is not zero, and sticks where the holding forces are within their limits.
     pub fn start(

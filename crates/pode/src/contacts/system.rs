@@ -26,8 +26,9 @@ impl FrictionLimits {
     }
 }
 
-/// A mechanism with compliant contacts and dry frictions. Contacts have numbers, from 0, by their
-/// place in [`Self::contacts`]. What is asked about a contact is asked a little beyond its end too,
+/// A mechanism with compliant contacts and dry frictions.
+///
+/// Contacts have numbers, from 0, by their place in [`Self::contacts`]. What is asked about a contact is asked a little beyond its end too,
 /// within a step: a force goes on there as if the contact were not over, or is zero.
 pub trait ContactSystem: Sized {
     type Structure: Copy + Eq + Debug + Send;
@@ -134,6 +135,7 @@ pub trait FrictionalContacts: ContactSystem {
 }
 
 /// What ends a structural mode of a mechanism with contacts, and how far a step may go.
+///
 /// One with a single structure needs no more than `impl GuardedContacts for X {}`.
 pub trait GuardedContacts: FrictionalContacts {
     /// Returns the guards of all structural modes, with ids below 128 and priorities below 64.

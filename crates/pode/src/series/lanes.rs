@@ -23,6 +23,7 @@ impl SeriesPair {
 }
 
 /// Rows of factors, with a lane for each product, quotient or sine of a series: two to a pair.
+///
 /// The next order of all lanes is one pass over the orders before it, two lanes at a time. Rows are
 /// written as they are read: a processor cannot forward two numbers that were written one by one
 /// before both are in its cache.

@@ -10,7 +10,7 @@ use crate::guard::{GuardSet, GuardSpec, GuardValue, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
 use crate::model::Resets;
-use crate::outcome::{Cap, Certainty, Fault};
+use crate::outcome::{Certainty, Fault};
 use crate::run::TickRun;
 use crate::stepper::Stepper;
 
@@ -236,7 +236,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         // The tolerance is a fraction of the tick; the step is a part of it.
         let tolerance = (run.limits.event_tolerance / (theta_end - run.theta)).min(0.5);
         if !run.affords_guards(GuardSpan::LOOKS + most_evaluations(tolerance)) {
-            run.cap(Cap::Guards);
             return Ok((CrossingTime::NOWHERE, false));
         }
         let (model, mode, signal, start) = (&self.model, self.mode, run.signal, run.theta);

@@ -16,6 +16,7 @@ use crate::stepper::{DerivativeHistory, Field, Step, Stepper};
 ///
 /// Stability: h |λ| < 1 for damped motion; an undamped oscillator gains (ω h)⁴/2 of its energy in
 /// every step. Choose it where the derivative is costly and events are rare.
+///
 /// `[HNW93]` III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct AdamsBashforth2;

@@ -18,6 +18,7 @@ use crate::stepper::{DerivativeHistory, Field, Step, Stepper};
 ///
 /// Stability: h |λ| < 6/11 for damped motion, h ω < 0.72 for undamped. Choose it where the
 /// derivative is costly, events are rare and the step is short for other reasons.
+///
 /// `[HNW93]` III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct AdamsBashforth3;

@@ -6,6 +6,7 @@ use crate::stepper::{EndDerivative, Field, Step, Stepper};
 ///
 /// Dense output: the cubic Hermite of the step. First-same-as-last: the derivative at the end is
 /// carried, and void after a reset, a jump of the input, or a change of the mode.
+///
 /// `[BS89]`; `[HNW93]` II.4.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct BogackiShampine;

@@ -15,6 +15,7 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 /// the mode's fastest motion per step, so that guards are detected; a stiff contact within one tick
 /// is three or four steps. The rounding of a step is carried to the next one, and void after a
 /// reset. Evaluations: the Jacobian, and 4 derivatives, or 1 without influence of the input.
+///
 /// `[HNW93]` I.8 (power series), `[HO10]` 2 (variation of constants).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Exact;

@@ -10,6 +10,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// Stability: damped motion needs h |λ| < 2; an undamped oscillator gains (ω h)² of its energy in
 /// every step, however short. For comparison only:
 /// [`SemiImplicitEuler`](crate::stepper::SemiImplicitEuler) is as simple and bounds the energy.
+///
 /// `[HNW93]` I.7, eq. 7.3; `[HLW06]` I.1.2, eq. 1.5.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ExplicitEuler;

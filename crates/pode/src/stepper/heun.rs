@@ -5,6 +5,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// Order 2 in 2 evaluations, no error estimate.
 ///
 /// Dense output: the parabola through the start, its slope and the end. Nothing is carried.
+///
 /// `[HNW93]` II.1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Heun;

@@ -8,6 +8,7 @@ use crate::stepper::{Field, Step, Stepper};
 ///
 /// Dense output: the third-order cubic from the same four stages, so that locating an event costs
 /// no derivative; its local error h⁴ keeps event times at order 4. Nothing is carried.
+///
 /// `[HNW93]` II.1, table 1.2; dense output II.6, eq. 6.9.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Rk4;

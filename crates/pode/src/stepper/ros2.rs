@@ -16,6 +16,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// Stability: L-stable. Motion much faster than the step is gone after it, but for 4.8/(h |λ|),
 /// with the opposite sign. Choose it for stiff contacts with loss, where a few parts in 10³ are
 /// enough; it damps motion that oscillates faster than the step.
+///
 /// `[VSB99]` section 2; the form without products `[HW96]` IV.7, eq. 7.25.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Ros2;

@@ -8,6 +8,7 @@ use crate::stepper::{Field, Step, Stepper};
 ///
 /// No error estimate. Keeps the energy of an oscillator bounded where explicit Euler lets it grow.
 /// Dense output: the parabola through the start, its slope and the end. Nothing is carried.
+///
 /// `[HLW06]` I.1.2, eq. 1.9.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SemiImplicitEuler;

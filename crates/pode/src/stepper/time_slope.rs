@@ -7,6 +7,7 @@ use crate::stepper::Field;
 const PART: f64 = 1.0 / 64.0;
 
 /// Returns h ∂f/∂t at the start (0, `x0`), where the derivative is `f0`; `h` is the step's length.
+///
 /// One-sided differences over the next `ORDER` = 1, 2 or 3 places, each 1/64 of the step further:
 /// one evaluation a place, and an error of that order in h. One-sided, because the input is known
 /// inside the step only. Exactly zero for autonomous equations. `[AS64]` table 25.2

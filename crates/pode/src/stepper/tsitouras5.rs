@@ -12,6 +12,7 @@ use crate::stepper::{EndDerivative, Field, Step, Stepper};
 /// Stability: h |λ| < 3.5 for damped motion; undamped motion loses amplitude up to h ω = 0.4 and
 /// gains it beyond, 1e-4 in a step of 1 rad. Choose it for smooth modes where RK4's step would have
 /// to be cut: per evaluation it is the most accurate of the explicit methods here.
+///
 /// `[Tsi11]` table 1 and the interpolant after it; the weights of the error are those of its
 /// fourth-order formula, with the sign that makes their sum zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

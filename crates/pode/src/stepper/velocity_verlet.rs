@@ -18,6 +18,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// which keeps order 2. Entries after the speeds are moved like speeds.
 ///
 /// Stability: h ω < 2. Choose it for conservative modes that are followed for long.
+///
 /// `[SAB82]`; `[HLW06]` I.1.4, eq. 1.17, and VI.3 for its structure.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct VelocityVerlet;

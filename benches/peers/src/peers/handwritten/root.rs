@@ -7,6 +7,7 @@ const ROUNDS: usize = 60;
 const LAST: f64 = 1e-10;
 
 /// Returns the part θ of a step at which `guard` (value, and rate per step) falls through zero.
+///
 /// The guard is positive at `start`, or zero there and rising; it is not positive at `end`.
 #[inline]
 pub(crate) fn falling((start, end): (f64, f64), mut guard: impl FnMut(f64) -> (f64, f64)) -> f64 {

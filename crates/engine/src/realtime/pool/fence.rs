@@ -10,6 +10,7 @@ use scheduler::voice::{TurnRules, Voice, VoiceFault, VoiceInternals, VoiceOutput
 pub type BoxedVoice = Box<dyn Voice + Send>;
 
 /// Voice that is never called again once it has panicked, so only its own key is lost.
+///
 /// A panic is a bug, so unlike a diverged model the voice is not tried again: its key stays at the
 /// safe force until another voice replaces it.
 pub struct PanicGuard {

@@ -24,6 +24,7 @@ pub enum Touch {
 /// Position and velocity are commands: the finger follows them as its stiffness allows. Both and
 /// the acceleration are continuous for any release; until the release a faster gesture is never
 /// behind a slower one on its way down.
+///
 /// Times share the origin of `t`. An unknown `release` is infinite, and may be set later.
 ///
 /// A finger that must soon play its key again is not fully lifted: the next gesture takes over at

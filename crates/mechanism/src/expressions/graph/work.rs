@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::Graph;
 
 /// Largest work on one graph, from its first node to the last of its tapes.
+///
 /// The unit is an operand that is read, collected or compared. The largest shipped model needs a
 /// sixteenth of the limit; the whole limit takes about two seconds on a present processor.
 pub const MAX_WORK: u64 = 30_000_000;

@@ -3,6 +3,7 @@ use super::writing::Writing;
 use crate::expressions::tape::{Tape, TapeSlot};
 
 /// Tape with a recursion rule for the coefficients of each of its values.
+///
 /// Where a function's slope is missing, the tape is extended: that of tanh is 1 − tanh².
 #[derive(Clone, PartialEq, Debug)]
 pub struct Recursion {

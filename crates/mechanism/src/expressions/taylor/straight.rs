@@ -7,6 +7,7 @@ use super::step_terms::StepTerms;
 use crate::expressions::tape::{Tape, TapeSlot, TapeWriter};
 
 /// Recursion as two tapes; their caller keeps the lanes and their sums.
+///
 /// A lane is a pair of factors a and b; its sum for the order k is Σ a(j) b(k − j), 0 < j < k.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SeriesTapes {

@@ -26,6 +26,7 @@ pub fn expression(graph: &Graph, node: Node, names: &SymbolNames, notation: Nota
 }
 
 /// Returns the definitions of named parts, then `wanted` in terms of them.
+///
 /// The left sides of `wanted` are in the notation of descriptions.
 pub fn equations(
     graph: &Graph,

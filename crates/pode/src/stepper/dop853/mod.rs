@@ -17,6 +17,7 @@ use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, Ta
 /// order 7 with three more evaluations where a crossing is searched. First-same-as-last: the slope
 /// at the end is carried, and void after a reset, a jump of the input, or a change of the mode.
 /// Stable for ωh up to about 6 on the real axis; choose it for tolerances below 1e-8.
+///
 /// `[HNW93]` II.5, and II.6 for the dense output; Hairer's `dop853.f`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Dop853;

@@ -24,6 +24,7 @@ use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, T
 /// polynomials, without an evaluation. Only the length of steps is carried.
 ///
 /// [`Guarded::series`]: crate::Guarded::series
+///
 /// `[JZ05]`: recursions, order and step size.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Taylor {

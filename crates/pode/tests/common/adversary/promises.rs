@@ -12,6 +12,7 @@ type Place = (u8, [f64; STATE]);
 
 /// Plays the session in `bytes`, and checks every promise at every tick; `allocated` counts this
 /// thread's allocations.
+///
 /// # Panics
 /// If a promise is broken.
 pub fn check<T: Stepper>(bytes: &[u8], stepper: T, allocated: fn() -> u64) -> [Report; TICKS] {

@@ -31,7 +31,7 @@ pub struct RehearsalCache {
 
 impl RehearsalCache {
     /// Returns all that the rehearsal of `score` depends on.
-    pub(super) fn content(
+    pub(crate) fn content(
         &self,
         (scene, builder): (&Scene, &VoiceBuilder<'_>),
         pianist: &Pianist,
@@ -48,19 +48,21 @@ impl RehearsalCache {
         let mut described = Vec::new();
         for (key, voice) in builder.keys() {
             let (model, values) = (&voice.model, &voice.values);
-            content.push_str(&format!("{key} {} {values:?}\n", model.name));
+            let line = format!("{key} {} {values:?}\n", model.name);
+            content.push_str(&line);
             if let Some(source) = &model.source
                 && !described.contains(&model.name)
             {
                 described.push(model.name);
-                content.push_str(&format!("{:?}\n", source.contents));
+                let text = format!("{:?}\n", source.contents);
+                content.push_str(&text);
             }
         }
         content
     }
 
     /// Returns the kept rehearsal with `content`, if there is an undamaged one.
-    pub(super) fn find(&self, content: &str) -> Option<Performance> {
+    pub(crate) fn find(&self, content: &str) -> Option<Performance> {
         let bytes = fs::read(self.path(content)).ok()?;
         let (bytes, sum) = bytes.split_last_chunk::<8>()?;
         let (length, kept) = bytes.split_first_chunk::<8>()?;
@@ -71,7 +73,7 @@ impl RehearsalCache {
     }
 
     /// Keeps a rehearsal, and removes the oldest ones. An error costs the next run its time only.
-    pub(super) fn keep(&self, content: &str, performance: &Performance) -> io::Result<()> {
+    pub(crate) fn keep(&self, content: &str, performance: &Performance) -> io::Result<()> {
         let mut bytes = (content.len() as u64).to_le_bytes().to_vec();
         bytes.extend(content.as_bytes());
         bytes.extend(performance.to_bytes());
