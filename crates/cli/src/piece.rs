@@ -1,7 +1,7 @@
 //! A MIDI file on the command line: which parts of it are played, and what is in it.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use documents::{escaped, shown};
@@ -24,6 +24,10 @@ pub struct PieceArgs {
     /// Channels of the piece to play, 1 to 16; without it all but channel 10, which is percussion.
     #[arg(long, value_name = "N", value_delimiter = ',')]
     pub channel: Vec<u8>,
+    /// Where rehearsals of the virtual pianist are kept for the next run; the user's own folder for
+    /// what programs can make again if none is given.
+    #[arg(long, value_name = "FOLDER|none")]
+    pub rehearsals: Option<PathBuf>,
 }
 
 impl PieceArgs {

@@ -65,10 +65,6 @@ pub struct RunArgs {
     /// programs leave behind if none is given.
     #[arg(long, value_name = "FOLDER|none")]
     pub black_box: Option<PathBuf>,
-    /// Where rehearsals of the virtual pianist are kept for the next run; the user's own folder for
-    /// what programs can make again if none is given.
-    #[arg(long, value_name = "FOLDER|none")]
-    pub rehearsals: Option<PathBuf>,
     /// Reads descriptions of models again when they are saved: keys that play them go on with the
     /// new version, and with the one before if it is wrong.
     #[arg(long, conflicts_with = "virtual_time")]
@@ -251,7 +247,7 @@ impl BegunHost {
         let signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
         let is_quiet = args.quiet || options.virtual_time;
         let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
-        let handle = Arc::new(run_handle(options, args.rehearsals.as_deref()));
+        let handle = Arc::new(run_handle(options, args.piece.rehearsals.as_deref()));
         handle.status.prepare(args.scene());
         let lines = log.lines();
         handle.log_early(LogSink::new(Box::new(move |level, text| lines.say(level, text))));

@@ -593,7 +593,7 @@ mod tests {
         };
         let trusted = Some(TurnLimit { early: 56, most: 448 });
         assert_eq!([told(0.0), told(-1.0)], [trusted; 2]);
-        assert_eq!(told(0.0), Some(TurnLimit::of(7)));
+        assert_eq!(told(0.0), Some(TurnLimit::of(56)), "an ordinary turn's work");
     }
 
     #[test]

@@ -27,7 +27,7 @@ const POLYPHONY: usize = 32;
 
 /// Plays messages with a font, in stereo.
 ///
-/// A synthesizer begins its notes at the start of its block of [`BLOCK`] frames only. So there is
+/// A synthesizer begins its notes at the start of its block of 64 frames only. So there is
 /// one for each phase of the block, and each note is given to that whose block begins with it.
 /// Controllers and the ends of notes go to all of them, and are up to a block late.
 #[derive(Debug)]

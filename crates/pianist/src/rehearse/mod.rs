@@ -7,7 +7,7 @@
 //! 3. if the touch does not suffice, try the other one;
 //! 4. if the key is not up yet, strike from its depth;
 //! 5. if that is not good enough, release the previous stroke earlier: by as little as serves, and
-//!    only if the stroke gains more than the note before it loses, by the price list of [`price`];
+//!    only if the stroke gains more than the note before it loses, by the price list of `price`;
 //! 6. if a missing note is better than the best try, leave the stroke out;
 //! 7. choose the release so that the damper falls when it should, and as fast;
 //! 8. continue from that try, which needs no repetition.
