@@ -9,7 +9,7 @@ use crate::{apt, error::Error, files};
 /// Default duration (s).
 const DURATION: &str = "30";
 
-/// SoundFonts of which the host finds one, and the package of the smallest.
+/// SoundFonts that the host looks for, and the package of the smallest one.
 const FONTS: [&str; 3] = [
     "/usr/share/sounds/sf2/FluidR3_GM.sf2",
     "/usr/share/sounds/sf2/default-GM.sf2",

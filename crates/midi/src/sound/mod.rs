@@ -1,11 +1,12 @@
 //! Messages made audible, with a SoundFont.
 //!
 //! ```text
-//! message ─▶ LiveSound ─ring─▶ callback of the device ─▶ Sampler ─▶ frames
-//! message ─▶ WavFile ─────────────── at the end ───────▶ Sampler ─▶ file
+//! message ─▶ live output ─ring─▶ callback of the device ─▶ sampler ─▶ frames
+//! message ─▶ file output ───────────── at the end ───────▶ sampler ─▶ file
 //! ```
 //!
-//! Both are outputs of the MIDI thread, so the tick knows nothing of them.
+//! [`LiveSound`] and [`WavFile`] are outputs of the MIDI thread and play through a [`Sampler`].
+//! The tick knows nothing of them.
 
 mod error;
 mod font;

@@ -204,7 +204,7 @@ impl<'a> StrokeSearch<'a> {
 
     /// Searches on a key that still moves, where the hammer's answer has folds and gaps. From each of
     /// some starts the finger is as fast as it must be to strike in time: the later the start, the
-    /// louder. Between two starts of which one is too loud and one too soft, halves.
+    /// louder. Bisects between two starts if one is too loud and the other too soft.
     fn scan<R: Rehearsal>(mut self, take: &mut Take<R>) -> Option<Try<R>> {
         let mut scan = StartScan::new(self.earliest, self.wanted.onset)?;
         let command = self.bracket.guess;

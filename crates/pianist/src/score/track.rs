@@ -34,7 +34,7 @@ pub(super) enum TrackEventKind<'a> {
     System,
 }
 
-/// Reads track `number` from its `bytes`, of which so many are `missing` at the end.
+/// Reads track `number` from its `bytes`; `missing` is the number of bytes missing at the end.
 ///
 /// Like other players it skips system real-time and system common messages, and its running status
 /// outlives meta events and system exclusive messages.

@@ -28,8 +28,9 @@ impl FrictionLimits {
 
 /// A mechanism with compliant contacts and dry frictions.
 ///
-/// Contacts have numbers, from 0, by their place in [`Self::contacts`]. What is asked about a contact is asked a little beyond its end too,
-/// within a step: a force goes on there as if the contact were not over, or is zero.
+/// Contacts have numbers, from 0, by their place in [`Self::contacts`]. Methods of a contact
+/// are also called slightly past its end, within a step: the force there either continues as if the
+/// contact still existed, or is zero.
 pub trait ContactSystem: Sized {
     type Structure: Copy + Eq + Debug + Send;
     type State: State;

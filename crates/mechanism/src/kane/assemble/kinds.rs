@@ -78,7 +78,8 @@ fn grows_by(graph: &Graph, node: Node) -> Option<Node> {
 pub(super) enum LossKind {
     Nothing,
     Always,
-    /// The terms' losses, each times a product of squared parameters any of which cancels it.
+    /// Sum of the terms' losses. Each loss is multiplied by squared parameters; a zero parameter
+    /// removes it.
     Where(Node),
 }
 
