@@ -44,6 +44,7 @@ fn select(window: &mut UserWindow, low: &str, high: &str) {
 }
 
 fn drag(window: &mut UserWindow, name: &str, by: f32) {
+    window.wait(name, |window| window.has(name));
     let from = window.rect_of(Role::Slider, name).center();
     window.drag(from, from + vec2(by, 0.0));
 }
