@@ -1,8 +1,11 @@
 //! Prints, runs and becomes other programs.
 
+use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::{env, ffi::OsStr};
+use std::sync::mpsc::channel;
+use std::time::Duration;
+use std::{env, ffi::OsStr, thread};
 
 use crate::error::Error;
 
@@ -53,6 +56,33 @@ pub(crate) fn run(command: &mut Command) -> Result<(), Error> {
         Ok(status) if status.success() => Ok(()),
         Ok(_) => Err(Error::Failed { command: words(command) }),
         Err(cause) => Err(Error::NotStarted { command: words(command), cause }),
+    }
+}
+
+/// Runs a command that may run tests; the error names those that failed.
+pub(crate) fn run_tests(command: &mut Command) -> Result<(), Error> {
+    let typed = words(command);
+    println!("$ {typed}");
+    let not_started = |cause| Error::NotStarted { command: typed.clone(), cause };
+    let mut child = command.stdout(Stdio::piped()).spawn().map_err(not_started)?;
+    let (names, failed) = channel();
+    let output = child.stdout.take().into_iter();
+    // Not joined: a process that outlives its test may hold the pipe.
+    thread::spawn(move || {
+        for line in output.flat_map(|it| BufReader::new(it).lines()).map_while(Result::ok) {
+            println!("{line}");
+            let test = line.strip_prefix("test ").and_then(|it| it.strip_suffix(" ... FAILED"));
+            let _is_awaited = test.map(|it| names.send(it.to_owned()));
+        }
+    });
+    let status = child.wait();
+    let next = || failed.recv_timeout(Duration::from_secs(1)).ok();
+    let failed: String =
+        std::iter::from_fn(next).flat_map(|it| ["\n  failed: ".to_owned(), it]).collect();
+    match status {
+        Ok(status) if status.success() => Ok(()),
+        Ok(_) => Err(Error::Failed { command: format!("{typed}{failed}") }),
+        Err(cause) => Err(not_started(cause)),
     }
 }
 

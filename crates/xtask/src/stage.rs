@@ -79,7 +79,7 @@ fn run(stage: &mut Stage) -> Result<Done, Error> {
     println!("\n== {}", stage.name);
     let start = Instant::now();
     let result = match &mut stage.work {
-        StageWork::Command(command) => command::run(command).map(|()| Done::All),
+        StageWork::Command(command) => command::run_tests(command).map(|()| Done::All),
         StageWork::Chore(chore) => chore(),
     };
     println!("== {}: {:.1} s", stage.name, start.elapsed().as_secs_f64());
