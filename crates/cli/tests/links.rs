@@ -1,7 +1,7 @@
 //! The messages about lines and boards while a host runs, and the light of a board.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use boards::links::address::Address;
 use host::control::RunHandle;
@@ -42,21 +42,36 @@ fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Updat
     run_while(session, || look(&handle, &told));
 }
 
-/// Returns the next message about links for which `is_it` holds.
-fn links(told: &Receiver<Update>, is_it: impl Fn(&Links) -> bool) -> Links {
+/// Returns the first result that `find` has for a message.
+fn first<T>(told: &Receiver<Update>, mut find: impl FnMut(Update) -> Option<T>) -> T {
+    let end = Instant::now() + PATIENCE;
     loop {
-        if let Update::Links(it) = told.recv_timeout(PATIENCE).expect("links in time")
-            && is_it(&it)
-        {
-            return it;
+        // Other messages keep coming, so that the wait for one of them is no limit.
+        let left = end.saturating_duration_since(Instant::now());
+        let update = told.recv_timeout(left).expect("the message in time");
+        if let Some(found) = find(update) {
+            return found;
         }
     }
 }
 
-/// Waits for this message about a board or a line.
-fn told_until(told: &Receiver<Update>, sentence: &str) {
-    let is_it = |update: &Update| matches!(update, Update::Event(it) if it.kind() == Kind::Board && it.text == sentence);
-    while !is_it(&told.recv_timeout(PATIENCE).expect("an event in time")) {}
+/// Returns the next message about links for which `is_it` holds.
+fn links(told: &Receiver<Update>, is_it: impl Fn(&Links) -> bool) -> Links {
+    first(told, |update| {
+        if let Update::Links(it) = update { Some(it) } else { None }.filter(&is_it)
+    })
+}
+
+/// Waits for these messages about boards and lines, in any order.
+fn told_all(told: &Receiver<Update>, mut sentences: Vec<String>) {
+    first(told, |update| {
+        if let Update::Event(it) = update
+            && it.kind() == Kind::Board
+        {
+            sentences.retain(|sentence| *sentence != it.text);
+        }
+        sentences.is_empty().then_some(())
+    });
 }
 
 #[test]
@@ -89,8 +104,7 @@ fn check_boards(watch: &WaitWatch) {
         // What becomes of a board is told; a busy machine may tell of the other one too.
         assert_eq!((three.stop().lights, handle.emergency.is_asked()), (0, false));
         let port = &seen.lines[0].name;
-        told_until(told, &format!("{port} is down now"));
-        told_until(told, &format!("board 3 on {port}: silent"));
+        told_all(told, vec![format!("{port} is down now"), format!("board 3 on {port}: silent")]);
         links(told, |it| it.boards[0].state == "silent" && is_well(&it.boards[1]));
     });
     assert_eq!(four.stop().lights, 1);
