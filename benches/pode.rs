@@ -17,9 +17,8 @@ use criterion::Criterion;
 use instruments::{Described, LoadedModel, SmallModel};
 use pode::input::Cubic;
 use pode::stepper::{
-    AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,
-    LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler, Tsitouras5,
-    VelocityVerlet,
+    AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, Heun, LinearImplicitMidpoint, Rk4,
+    Rodas3, SemiImplicitEuler, Tsitouras5, VelocityVerlet,
 };
 use pode::{Bracket, Event, Limits, Model, Motion, Resets, Simulator, Stepper, Watch, locate};
 use scene::Library;
@@ -41,11 +40,7 @@ fn main() {
     quiet(&mut criterion, Rk4);
     quiet(&mut criterion, Tsitouras5);
     quiet(&mut criterion, LinearImplicitMidpoint);
-    quiet(&mut criterion, Ros2);
     quiet(&mut criterion, Rodas3);
-    quiet(&mut criterion, Rodas4);
-    quiet(&mut criterion, ExponentialRosenbrock);
-    quiet(&mut criterion, Exprb32);
     tick(&mut criterion, "rk4/any", at_rest(model(), Any::Rk4(Rk4)));
     eventful(&mut criterion);
     roots(&mut criterion);

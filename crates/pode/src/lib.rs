@@ -56,7 +56,6 @@ mod model;
 mod nature;
 mod outcome;
 mod part;
-mod phi;
 mod quadrature;
 mod reached;
 #[cfg(feature = "std")]

@@ -1,7 +1,7 @@
 //! A method chosen at run time does the same as the method itself, to the last bit.
 
 use pode::stepper::{
-    Any, BogackiShampine, ByNeed, Controlled, Dop853, Exact, Rk4, Rodas4, Tolerance, Tsitouras5,
+    Any, BogackiShampine, ByNeed, Controlled, Dop853, Exact, Rk4, Tolerance, Tsitouras5,
 };
 use pode::{Limits, Simulator, Stepper, Tick};
 
@@ -30,7 +30,6 @@ fn chosen_by_name_a_method_is_itself_to_the_last_bit() {
     check(BogackiShampine, named("bogacki-shampine"));
     check(Tsitouras5, named("tsitouras5"));
     check(Dop853, named("dop853"));
-    check(Rodas4, named("rodas4"));
     check(Exact, named("exact"));
     check(ByNeed::default(), named("by-need"));
 }

@@ -75,7 +75,7 @@ fn parts_apart_go_where_they_go_together() {
             // To rounding with one method for both; `exact` and `by-need` choose part by part, with
             // errors of the chosen methods.
             let tolerance = match method.name() {
-                "exact" | "by-need" | "exponential-rosenbrock" | "exprb32" => 1e-4,
+                "exact" | "by-need" => 1e-4,
                 _ => 1e-12,
             };
             close(format_args!("{}, entry {index}", method.name()), *other, *one, tolerance);

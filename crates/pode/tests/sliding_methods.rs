@@ -6,8 +6,8 @@
 use pode::filippov::{Filippov, Mode};
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
-    ExplicitEuler, ExponentialRosenbrock, Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3,
-    Rodas4, Ros2, SemiImplicitEuler, Tsitouras5, VelocityVerlet,
+    ExplicitEuler, Heun, LinearImplicitMidpoint, Rk4, Rodas3, SemiImplicitEuler, Tsitouras5,
+    VelocityVerlet,
 };
 use pode::{Limits, Nature, Simulator, Stepper};
 
@@ -56,12 +56,8 @@ methods! {
     tsitouras5: Tsitouras5;
     adams_bashforth2: AdamsBashforth2;
     adams_bashforth3: AdamsBashforth3;
-    ros2: Ros2;
     rodas3: Rodas3;
-    rodas4: Rodas4;
     linear_implicit_midpoint: LinearImplicitMidpoint;
-    exponential_rosenbrock: ExponentialRosenbrock;
-    exprb32: Exprb32;
     exact: Exact;
     dop853: Dop853;
     controlled: Controlled<Tsitouras5>;

@@ -59,7 +59,7 @@ const STEPPERS: NamedValues<Any> = NamedValues {
     all: || STEPPER_NAMES.iter().filter_map(|name| Some((*name, Any::named(name)?))).collect(),
 };
 
-const STEPPER_NAMES: [&str; 13] = [
+const STEPPER_NAMES: [&str; 12] = [
     stepper::SemiImplicitEuler::NAME,
     stepper::Heun::NAME,
     stepper::VelocityVerlet::NAME,
@@ -69,7 +69,6 @@ const STEPPER_NAMES: [&str; 13] = [
     stepper::Rk4::NAME,
     stepper::Tsitouras5::NAME,
     stepper::LinearImplicitMidpoint::NAME,
-    stepper::Ros2::NAME,
     stepper::Rodas3::NAME,
     <stepper::Exact>::NAME,
     stepper::ByNeed::NAME,

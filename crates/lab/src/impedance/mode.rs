@@ -131,7 +131,7 @@ impl Visitor for Lineariser<'_> {
 
 /// Moves the input slowly to `to` (its unit), and waits; `None` if the model fails.
 fn pressed<M: Playable>(model: M, to: f64) -> Option<(M::Mode, M::State)> {
-    let stepper = Any::named("rodas4").unwrap_or_default();
+    let stepper = Any::named("rodas3").unwrap_or_default();
     let limits = Limits { longest_step: TICK, ..Limits::default() };
     let (mode, state) = model.at_rest(&Motion::default());
     let mut simulator = Simulator::new(model, stepper, limits, mode, state);

@@ -4,9 +4,8 @@ use crate::part::Part;
 use crate::state::State;
 use crate::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dense8, Dop853, Exact,
-    ExplicitEuler, ExponentialRosenbrock, Exprb32, Field, Flow, FlowOrCubic, Heun,
-    LinearImplicitMidpoint, Memory, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler, Step, Stepper,
-    Tolerance, Tsitouras5, VelocityVerlet,
+    ExplicitEuler, Field, Flow, FlowOrCubic, Heun, LinearImplicitMidpoint, Memory, Rk4, Rodas3,
+    SemiImplicitEuler, Step, Stepper, Tolerance, Tsitouras5, VelocityVerlet,
 };
 
 /// Dense output of any method.
@@ -336,11 +335,7 @@ any! {
         Tsitouras5(Tsitouras5),
         Dop853(Dop853),
         LinearImplicitMidpoint(LinearImplicitMidpoint),
-        Ros2(Ros2),
         Rodas3(Rodas3),
-        Rodas4(Rodas4),
-        ExponentialRosenbrock(ExponentialRosenbrock),
-        Exprb32(Exprb32),
         Exact(Exact),
     }
     controlled {

@@ -12,7 +12,7 @@ use crate::stepper::{Field, Step, Stepper};
 ///
 /// Stability: L-stable and stiffly accurate, as its embedded method is: motion much faster than the
 /// step is gone after it, and forced motion is followed to 1/(h |λ|). Choose it for stiff modes
-/// with loss where [`Ros2`](crate::stepper::Ros2) would need short steps.
+/// with loss.
 ///
 /// `[SVB97]` (RODAS3); the form without products `[HW96]` IV.7, eq. 7.25. The dense output is our
 /// own: b1 + b2 + b3 + b4 = τ, Σ bᵢ βᵢ = τ²/2, b3 + b4 = τ³/3 (no choice meets the fourth condition
