@@ -3,6 +3,7 @@
 
 mod boards;
 mod bounds;
+mod cases;
 mod common;
 mod control;
 mod dash;
@@ -12,6 +13,7 @@ mod links;
 mod listening;
 #[path = "../../../tests/stage/machine_time.rs"]
 mod machine_time;
+mod random_mechanisms;
 mod recordings;
 mod replay;
 mod running;

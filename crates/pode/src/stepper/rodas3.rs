@@ -51,7 +51,7 @@ impl Stepper for Rodas3 {
         h: f64,
     ) -> Step<S, Cubic<S>> {
         let f0 = field.derivative(0.0, x0);
-        let slope = time_slope::<S, 2>(field, x0, &f0);
+        let slope = time_slope(field, x0, &f0);
         let u = TABLEAU.stages(field, (x0, &f0), &slope, h);
         let [c1, c2, c3] = [0, 1, 2].map(|power| weighted(&DENSE[power], &u));
         let x1 = x0.plus(2.0, &u[0]).plus(1.0, &u[2]).plus(1.0, &u[3]);
