@@ -78,7 +78,8 @@ pub struct EnergyAudit {
     pub dissipated: f64,
     /// Change at events: impacts (negative), reset maps, and the input's work in a move.
     pub jumps: f64,
-    /// Change where the input and the entries slaved to it jump between two ticks.
+    /// Change where the input and the entries slaved to it jump between two ticks, and where an
+    /// input that jumps through a guard moves coordinates.
     pub sampling: f64,
     /// Integration error, as energy.
     pub integration: f64,
@@ -142,7 +143,8 @@ impl EnergyAudit {
         self.integration += self.rise_to(end.energy) - (supplied - dissipated);
     }
 
-    fn add_event<M: Energetic>(&mut self, model: &M, event: &Event<'_, M>) {
+    /// Adds an event; returns the number of evaluations of the energy.
+    fn add_event<M: Energetic>(&mut self, model: &M, event: &Event<'_, M>) -> u64 {
         let energy = |(mode, x): &(M::Mode, M::State)| model.energy(*mode, x, &event.input);
         let jump = self.rise_to(energy(&event.before));
         let before = match event.cause {
@@ -151,7 +153,15 @@ impl EnergyAudit {
             EventCause::Impacts(_) | EventCause::Settled => &mut self.jumps,
         };
         *before += jump;
+        let mut evaluations = 2;
+        if event.leap(model).is_some() {
+            let ((mode, before), (_, after)) = (&event.before, &event.after);
+            let moved = after.head_of(model.coordinates(), before);
+            self.sampling += self.rise_to(energy(&(*mode, moved)));
+            evaluations += 1;
+        }
         self.jumps += self.rise_to(energy(&event.after));
+        evaluations
     }
 }
 
@@ -227,7 +237,6 @@ impl<M: Energetic> Watch<M> for Auditor<M> {
     }
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {
-        self.evaluations += 2;
-        self.sums.add_event(model, event);
+        self.evaluations += self.sums.add_event(model, event);
     }
 }

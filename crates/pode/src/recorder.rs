@@ -12,8 +12,11 @@ use crate::watch::{Event, Piece, Watch};
 /// An event with its time in seconds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedEvent<M: Model> {
-    /// Time (s).
+    /// Time (s); late in a long run, its last digits are rounded.
     pub t: f64,
+    /// Tick, and the place in it, 0 ..= 1: the time with all its digits.
+    pub tick: u64,
+    pub theta: f64,
     pub name: &'static str,
     pub from: M::Mode,
     pub to: M::Mode,
@@ -22,6 +25,10 @@ pub struct RecordedEvent<M: Model> {
     pub input: M::Input,
     /// Impulse on what drives the input (readout × s).
     pub impulse: f64,
+    /// Error of its time on the computed orbit (s).
+    pub error: f64,
+    /// Largest distance by which a coordinate was moved onto the constraint of the next mode.
+    pub projection: f64,
 }
 
 impl<M: Model> Display for RecordedEvent<M> {
@@ -163,6 +170,8 @@ impl<M: Guarded> Watch<M> for RunRecorder<M> {
     fn event(&mut self, _model: &M, event: &Event<'_, M>) {
         self.events.push(RecordedEvent {
             t: self.time(event.tick, event.theta),
+            tick: event.tick,
+            theta: event.theta,
             name: event.cause.name(),
             from: event.before.0,
             to: event.after.0,
@@ -170,6 +179,8 @@ impl<M: Guarded> Watch<M> for RunRecorder<M> {
             after: event.after.1,
             input: event.input,
             impulse: event.impulse,
+            error: event.error,
+            projection: event.projection,
         });
     }
 

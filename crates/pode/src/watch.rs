@@ -5,6 +5,7 @@ use crate::guard::GuardSpec;
 use crate::input::Signal;
 use crate::model::{Guarded, Model};
 use crate::outcome::Tick;
+use crate::state::State as _;
 
 /// A stretch of one tick in one mode, with its dense output.
 #[derive(Debug)]
@@ -118,6 +119,22 @@ impl<M: Model> Event<'_, M> {
     /// Returns the time (s) of the event, where all ticks have the length `h` (s).
     pub fn time(&self, h: f64) -> f64 {
         (self.tick as f64 + self.theta) * h
+    }
+}
+
+impl<M: Guarded> Event<'_, M> {
+    /// Returns the coordinate that moved farthest, and how far, where the guard fired well below
+    /// zero: where the input jumped through it.
+    pub fn leap(&self, model: &M) -> Option<(usize, f64)> {
+        let EventCause::Guard(spec) = self.cause else { return None };
+        let ((mode, before), (_, after)) = (&self.before, &self.after);
+        let moves = before.entries().iter().zip(after.entries()).map(|(is, was)| (is - was).abs());
+        let moves = moves.take(model.coordinates()).enumerate();
+        let farthest =
+            moves.max_by(|(_, a), (_, b)| a.total_cmp(b)).filter(|(_, far)| *far > 0.0)?;
+        let guard = model.guard(*mode, spec.id, before, &self.input);
+        let located = spec.band() + guard.rate.abs() * self.error;
+        (guard.value < -located).then_some(farthest)
     }
 }
 

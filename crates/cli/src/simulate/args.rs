@@ -15,7 +15,8 @@ Examples:
 Exit codes: 0 done; 1 the model failed while running, or a file could not be written;
 2 wrong usage or file.
 
-Trajectory columns: t, mode, the states, s, guard_<name> for each guard (empty where the
+Trajectory columns: t, mode, the states, the input by its name (as s; none without an input),
+guard_<name> for each guard (empty where the
 present mode does not have it), the outputs (output_<name> where a column has that name).
 Event columns: t, guard, from, to, <state>_before ..., <state>_after ..., impulse,
 error (how far t may be wrong), projection (how far a constraint moved the state), stands_for (1

@@ -10,7 +10,7 @@ use super::error::SimulateError;
 use super::input::{InputSignal, is_finite};
 use super::mode::mode_name;
 use super::output::OutputFiles;
-use super::summary::{Capped, RunCounts, RunFailure, SimulationReport};
+use super::summary::{Capped, GuardLeap, RunCounts, RunFailure, RunMoves, SimulationReport};
 use crate::simulate::studied_method::{MethodVisitor, StudiedMethod};
 
 /// Runs a model with the method of the clock, and reports the choices of `by-need`.
@@ -68,8 +68,16 @@ fn drive<M: Playable, T: Stepper>(
     let (model, mode, state) = (model.clone(), *mode, *state);
     let audit = EnergyAudit::default();
     let last = (0.0, mode, state);
-    let mut follower =
-        Follower { model: model.clone(), clock, audit, last, closed_form: (0.0, 0), files };
+    let mut follower = Follower {
+        model: model.clone(),
+        clock,
+        audit,
+        scale: EnergyScale::default(),
+        last,
+        closed_form: (0.0, 0),
+        leap: None,
+        files,
+    };
     let mut tally = RunTally::default();
     let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
@@ -136,16 +144,23 @@ struct Follower<'a, M: Described> {
     model: M,
     clock: &'a TickClock,
     audit: EnergyAudit,
+    scale: EnergyScale,
     /// Last good instant: t (s), mode, state.
     last: (f64, M::Mode, M::State),
     /// Impacts in one move short of their sequence's end, and sequences to their end.
     closed_form: (f64, u64),
+    /// Farthest move of a coordinate by an event whose guard the input jumped through.
+    leap: Option<GuardLeap>,
     files: &'a mut OutputFiles,
 }
 
 impl<M: Described> Watch<M> for Follower<'_, M> {
     fn piece<S: Signal<Motion>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
         self.audit.piece(model, piece);
+        let [start, end] = &piece.inputs;
+        for (x, input) in [(piece.start, start), (piece.end, end)] {
+            self.scale.see(model, (piece.mode, x), input, self.audit.stored);
+        }
         let t = self.clock.time(piece.tick, piece.theta_end());
         self.last = (t, piece.mode, piece.end);
         let start = self.clock.time(piece.tick, piece.theta.0);
@@ -161,7 +176,43 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
             EventCause::Settled => self.closed_form.1 += 1,
             EventCause::Guard(_) => {}
         }
+        if let Some((entry, far)) = event.leap(model)
+            && self.leap.is_none_or(|farthest| farthest.far < far)
+        {
+            self.leap = Some(GuardLeap { guard: event.cause.name(), t, entry, far });
+        }
         self.files.event(model, t, event);
+    }
+}
+
+/// Size of the energies of a run (J), against which its error is judged.
+#[derive(Clone, Copy, Default, Debug)]
+struct EnergyScale {
+    kinetic: f64,
+    /// Least and largest rise of the stored energy since the start.
+    stored: (f64, f64),
+}
+
+impl EnergyScale {
+    fn see<M: Described>(
+        &mut self,
+        model: &M,
+        (mode, x): (M::Mode, M::State),
+        input: &Motion,
+        stored: f64,
+    ) {
+        let mut still = x;
+        for speed in still.as_mut().iter_mut().skip(model.coordinates()) {
+            *speed = 0.0;
+        }
+        let at_rest = model.energy(mode, &still, &Motion { rate: 0.0, ..*input });
+        self.kinetic = self.kinetic.max(model.energy(mode, &x, input) - at_rest);
+        self.stored = (self.stored.0.min(stored), self.stored.1.max(stored));
+    }
+
+    /// Returns the most that moved or was stored and released.
+    const fn turned_over(&self) -> f64 {
+        self.kinetic.max(self.stored.1 - self.stored.0)
     }
 }
 
@@ -207,6 +258,7 @@ impl RunTally {
         let (t, mode, state) = &follower.last;
         let model = &follower.model;
         let entry = model.entry();
+        let leap = follower.leap.map(|it| it.told(entry));
         let state = entry.states.iter().copied().zip(state.entries().iter().copied()).collect();
         SimulationReport {
             model: entry.name,
@@ -223,7 +275,11 @@ impl RunTally {
             mode: mode_name(model, *mode),
             choices: Vec::new(),
             handed_on: Vec::new(),
-            projection: self.projection,
+            moved: RunMoves {
+                projection: self.projection,
+                leap,
+                energy: follower.scale.turned_over(),
+            },
             state,
             audit: follower.audit,
             held: Vec::new(),

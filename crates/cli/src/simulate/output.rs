@@ -74,7 +74,9 @@ impl OutputFiles {
         sheet.number(t);
         sheet.text(&mode_name(model, mode));
         sheet.numbers(known(model, state));
-        sheet.number(input.position);
+        if !model.entry().input.is_empty() {
+            sheet.number(input.position);
+        }
         let specs = model.guards(mode);
         for name in &self.guards {
             match specs.iter().find(|spec| spec.name == *name) {
@@ -162,7 +164,7 @@ fn trajectory_header<M: Described>(model: &M, guards: &[&str]) -> Vec<String> {
     let ModelEntry { states, input, .. } = model.entry();
     let mut header: Vec<String> = ["t", "mode"].map(String::from).to_vec();
     header.extend(states.iter().map(|name| (*name).to_owned()));
-    header.push((*input).to_owned());
+    header.extend(Some(*input).filter(|name| !name.is_empty()).map(str::to_owned));
     header.extend(guards.iter().map(|name| format!("guard_{name}")));
     for name in model.entry().quantities() {
         let taken = header.iter().any(|column| column == name);

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use documents::shown;
+use instruments::ModelEntry;
 use pode::stepper::Choice;
 use pode::{Cap, EnergyAudit, Fault, Limits};
 use serde::Serialize;
@@ -29,13 +30,46 @@ pub(super) struct SimulationReport {
     pub(super) choices: Vec<(&'static str, Choice)>,
     /// Modes that the method delegates, each with the name of the other method.
     pub(super) handed_on: Vec<(&'static str, &'static str)>,
-    /// Largest move of a coordinate onto a constraint by an event.
-    pub(super) projection: f64,
+    pub(super) moved: RunMoves,
     pub(super) state: Vec<(&'static str, f64)>,
     pub(super) audit: EnergyAudit,
     /// Times of held end values, where the rows of the input end before the run.
     pub(super) held: Vec<HeldInput>,
     pub(super) failure: Option<RunFailure>,
+}
+
+/// What moved in a run beyond the steps.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RunMoves {
+    /// Largest move of a coordinate onto a constraint by an event.
+    pub(super) projection: f64,
+    /// Remark on the farthest move of a coordinate by an input that jumped.
+    pub(super) leap: Option<String>,
+    /// The most energy that moved, or was stored and released (J).
+    pub(super) energy: f64,
+}
+
+/// A coordinate that an event moved, since the input jumped through its guard.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct GuardLeap {
+    pub(super) guard: &'static str,
+    /// Time (s).
+    pub(super) t: f64,
+    /// Number of the coordinate.
+    pub(super) entry: usize,
+    pub(super) far: f64,
+}
+
+impl GuardLeap {
+    pub(super) fn told(&self, model: &ModelEntry) -> String {
+        let Self { guard, t, entry, far } = self;
+        let name = model.states.get(*entry).copied().unwrap_or_default();
+        let unit = model.state_units.get(*entry).copied().unwrap_or_default();
+        format!(
+            "{name} by {far:.2e} {unit} at t = {t:?} s, by {guard}: the input jumped through its \
+             guard, and the energy of the move stands under sampling"
+        )
+    }
 }
 
 /// Work of all ticks, equal on every machine.
@@ -201,9 +235,11 @@ impl SimulationReport {
                 "integration": integration,
                 "stored": stored,
                 "residual": self.audit.residual(),
+                "turned_over": self.moved.energy,
                 "error": self.energy_error(),
             },
-            "projection": self.projection,
+            "moved_by_input": self.moved.leap,
+            "projection": self.moved.projection,
             "held_input": self.held,
             "handed_on": self.handed_on,
             "choices": self.choices.iter().map(choice_json).collect::<Vec<_>>(),
@@ -220,8 +256,9 @@ impl SimulationReport {
                 format!("mode    {mode}: {taken}, since {} is not for it\n", self.method)
             })
             .collect();
-        if self.projection > 1e-9 {
-            let moved = self.projection;
+        lines.extend(self.moved.leap.iter().map(|leap| format!("moved   {leap}\n")));
+        if self.moved.projection > 1e-9 {
+            let moved = self.moved.projection;
             lines.push(format!("moved   by {moved:.1e} onto a constraint, by an event, at most\n"));
         }
         let ineffective = self.counts.ineffective_events;
@@ -249,11 +286,11 @@ impl SimulationReport {
         lines.concat()
     }
 
-    /// Returns the method's energy error, as a share of the energy that went through.
+    /// Returns the method's energy error, as a share of the largest energy that moved, was stored and
+    /// released, or went in or out.
     fn energy_error(&self) -> f64 {
-        let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } =
-            self.audit;
-        let through = [supplied, dissipated, jumps, sampling, stored].map(f64::abs);
+        let EnergyAudit { supplied, dissipated, jumps, sampling, integration, .. } = self.audit;
+        let through = [supplied, dissipated, jumps, sampling, self.moved.energy].map(f64::abs);
         let through = through.into_iter().fold(f64::MIN_POSITIVE, f64::max);
         integration.abs() / through
     }

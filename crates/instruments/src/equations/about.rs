@@ -1,23 +1,36 @@
 //! Outputs, requirements, key ratio, sounds and drawing of a model.
 
+use pode::contacts::MAX_CONTACTS;
 use pode::{GuardId, Motion};
 
 use crate::equations::mode_number::ModeNumber;
-use crate::equations::model::EquationModel;
+use crate::equations::model::{EquationModel, rates_of};
 use crate::equations::table::{Equations, FunctionId, RequirementTable};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Writes the outputs in the table's order; a shorter `out` receives the first ones.
+    /// Writes the outputs without friction, as [`Self::outputs_with`].
     pub fn outputs(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, out: &mut [f64]) {
+        self.outputs_with(mode, (x, input), &[0.0; MAX_CONTACTS], out);
+    }
+
+    /// Writes the outputs in the table's order under the friction forces of the contacts, by their
+    /// numbers (N); a shorter `out` receives the first ones.
+    pub fn outputs_with(
+        &self,
+        mode: ModeNumber,
+        (x, input): (&[f64; N], &Motion),
+        frictions: &[f64; MAX_CONTACTS],
+        out: &mut [f64],
+    ) {
         /// Maximum number of outputs computed for a shorter `out`.
         const MOST: usize = 64;
         let function = self.mode_table(mode).forces.outputs;
         let count = self.table().outputs.len();
         if out.len() >= count {
-            self.call(function, x, input, out);
+            self.call_with(function, (x, &rates_of(input)), frictions, out);
         } else if count <= MOST {
             let mut all = [0.0; MOST];
-            self.call(function, x, input, &mut all);
+            self.call_with(function, (x, &rates_of(input)), frictions, &mut all);
             for (place, value) in out.iter_mut().zip(all) {
                 *place = value;
             }

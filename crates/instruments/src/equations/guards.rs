@@ -141,8 +141,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         };
         let stay = Leads { to: mode, state: *x, impulse: 0.0, rests: None };
         let Some(way) = ways.iter().find(is_open) else { return stay };
-        let (state, impulse) =
-            way.reset.map_or((*x, 0.0), |reset| self.state_and_number(reset, x, input));
+        let (state, [impulse]) =
+            way.reset.map_or((*x, [0.0]), |reset| self.state_and_numbers(reset, x, input));
         let leads = Leads { to: ModeNumber(way.to), state, impulse, rests: None };
         match way.resting {
             Some(resting) => self.met(resting, (mode, leads), x, input),
@@ -164,7 +164,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             let state = self.with_places_of(&rebound.state, x);
             return Leads { to: from, state, impulse: 0.0, rests: None };
         }
-        let (state, impulse) = self.state_and_number(resting.state, x, input);
+        let (state, [impulse]) = self.state_and_numbers(resting.state, x, input);
         let to = ModeNumber(resting.to);
         if restitution * closing <= STILL {
             Leads { to, state, impulse, rests: None }

@@ -164,17 +164,19 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         out
     }
 
-    pub(crate) fn state_and_number(
+    /// Returns a state and the K numbers behind it, at most 2 N.
+    pub(crate) fn state_and_numbers<const K: usize>(
         &self,
         function: FunctionId,
         x: &[f64; N],
         input: &Motion,
-    ) -> ([f64; N], f64) {
-        let mut out = [[0.0; N]; 2];
+    ) -> ([f64; N], [f64; K]) {
+        let mut out = [[0.0; N]; 3];
         self.call(function, x, input, out.as_flattened_mut());
         let count = self.table().states.len();
-        let number = out.as_flattened().get(count).copied().unwrap_or(0.0);
-        (core::array::from_fn(|i| if i < count { out[0][i] } else { 0.0 }), number)
+        let number = |i: usize| out.as_flattened().get(count + i).copied().unwrap_or(0.0);
+        let numbers = core::array::from_fn(number);
+        (core::array::from_fn(|i| if i < count { out[0][i] } else { 0.0 }), numbers)
     }
 
     /// Returns the derivative of the rates by the state, row by row.

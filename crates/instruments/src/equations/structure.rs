@@ -39,18 +39,21 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         })
     }
 
-    pub(crate) fn friction_readout(
+    /// Sums the effects of all frictions: on the readout, and on the power of what moves by itself.
+    pub(crate) fn friction_effects(
         &self,
         mode: ModeNumber,
         forces: &FrictionForces,
         x: &[f64; N],
         input: &Motion,
-    ) -> f64 {
-        let one = |(contact, force)| {
+    ) -> [f64; 2] {
+        let one = |(contact, force): (usize, f64)| {
             let response = self.contact(mode, contact)?.response?;
-            Some(force * self.state_and_number(response, x, input).1)
+            let (_, effects) = self.state_and_numbers::<2>(response, x, input);
+            Some(effects.map(|per| force * per))
         };
-        forces.iter().filter_map(one).sum()
+        let add = |sums: [f64; 2], more: [f64; 2]| array::from_fn(|i| sums[i] + more[i]);
+        forces.iter().filter_map(one).fold([0.0; 2], add)
     }
 
     fn contact_values<const K: usize>(
@@ -113,7 +116,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
     ) -> f64 {
         Model::readout(self, mode, x, input)
             + self.contact_sums((mode, closed), x, input)[0]
-            + self.friction_readout(mode, forces, x, input)
+            + self.friction_effects(mode, forces, x, input)[0]
     }
 
     /// Sums structure and closed contacts; `None` if a friction is felt at the input.
@@ -167,7 +170,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> FrictionalContacts
 
     fn response(&self, mode: ModeNumber, contact: usize, x: &[f64; N], input: &Motion) -> [f64; N] {
         let response = self.contact(mode, contact).and_then(|contact| contact.response);
-        response.map_or([0.0; N], |response| self.state_and_number(response, x, input).0)
+        response.map_or([0.0; N], |response| self.state_and_numbers::<2>(response, x, input).0)
     }
 
     fn friction(

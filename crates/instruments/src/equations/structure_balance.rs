@@ -21,7 +21,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EnergeticContacts
         let [_readout, energy, supplied, dissipated] = self.contact_sums((mode, closed), x, input);
         let of_contacts = EnergyBalance { energy, supplied, dissipated };
         let sum = self.balance_of_input(mode, x, input) + of_contacts;
-        let by_friction = self.friction_readout(mode, forces, x, input) * input.rate;
-        EnergyBalance { supplied: sum.supplied + by_friction, ..sum }
+        let [readout, motor] = self.friction_effects(mode, forces, x, input);
+        EnergyBalance { supplied: sum.supplied + (readout * input.rate + motor), ..sum }
     }
 }

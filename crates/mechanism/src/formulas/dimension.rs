@@ -93,6 +93,11 @@ impl fmt::Display for Dimension {
         if let Some((_, unit)) = known {
             return f.write_str(unit);
         }
+        let [metre, ..] = self.0;
+        if self.fits(Self::mechanical(metre, 1.0, -2.0)) {
+            let (sign, power) = if metre < 1.0 { ('/', 1.0 - metre) } else { ('·', metre - 1.0) };
+            return write!(f, "N{sign}{}", raised("m", power));
+        }
         let side = |sign: f64| {
             let factors = BASE.iter().zip(self.0).filter(|(_, power)| power * sign > SAME);
             factors.map(|(unit, power)| raised(unit, power * sign)).collect::<Vec<_>>().join("·")

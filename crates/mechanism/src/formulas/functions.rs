@@ -24,7 +24,7 @@ pub(super) enum Function {
     Named(usize),
 }
 
-const ALL: [(&str, Function); 43] = [
+const ALL: [(&str, Function); 44] = [
     ("sin", Function::Unary(UnaryFunction::Sin, UnitRule::Ratio)),
     ("cos", Function::Unary(UnaryFunction::Cos, UnitRule::Ratio)),
     ("tan", Function::Composed(composed::tan)),
@@ -67,6 +67,7 @@ const ALL: [(&str, Function); 43] = [
     ("z", Function::Named(1)),
     ("distance", Function::Named(2)),
     ("force", Function::Named(1)),
+    ("friction", Function::Named(1)),
     ("reaction", Function::Named(1)),
 ];
 

@@ -25,8 +25,10 @@ impl Dependence {
     pub const REACTIONS: Self = Self(128);
     /// Forces that act in some modes only.
     pub const FORCES: Self = Self(256);
+    /// Friction forces, which depend on the contacts that stick.
+    pub const FRICTIONS: Self = Self(512);
 
-    const WORDS: [(Self, &'static str); 9] = [
+    const WORDS: [(Self, &'static str); 10] = [
         (Self::PARAMETERS, "parameters"),
         (Self::KEY, "the key's number"),
         (Self::COORDINATES, "coordinates"),
@@ -36,6 +38,7 @@ impl Dependence {
         (Self::ACCELERATIONS, "accelerations"),
         (Self::REACTIONS, "reactions and contacts"),
         (Self::FORCES, "forces by name"),
+        (Self::FRICTIONS, "friction forces"),
     ];
 
     #[must_use]

@@ -305,6 +305,8 @@ pub struct Rest {
     pub instead: Vec<(Node, usize)>,
     /// A guess of each coordinate, over the parameters and the input; improved to the equilibrium.
     pub coordinates: Vec<Option<Node>>,
+    /// Speeds of a start, over the parameters and the input; 0 where none is stated.
+    pub speeds: Vec<Option<Node>>,
     /// Whether the guess is what is meant: a ball that starts in the air.
     pub is_start: bool,
     /// File, line and column where it is stated; none without.

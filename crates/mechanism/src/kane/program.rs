@@ -5,7 +5,7 @@ use documents::{Diagnostic, Diagnostics};
 
 use crate::kane::assemble::Program;
 use crate::kane::description::{Bases, Description, read};
-use crate::kane::mechanics::{DerivationError, derive};
+use crate::kane::mechanics::{DerivationError, DerivationObstacle, derive};
 use crate::kane::rest_check;
 use crate::kane::system::EquationSystem;
 
@@ -63,8 +63,34 @@ pub fn derive_unless_cancelled(
 }
 
 fn obstacle(name: &str, text: &str, error: &DerivationError) -> Diagnostic {
-    let heading = format!("[modes.{}]", error.mode_name);
-    let line = text.lines().position(|line| line.trim_start().starts_with(&heading));
+    let line_of = |heading: &str, from: usize| {
+        let found = text.lines().skip(from).position(|it| it.trim_start().starts_with(heading));
+        found.map(|line| from + line)
+    };
+    let entry_of = |tables: &[&str], name: &str| {
+        let table = |table: &&str| {
+            let whole = line_of(&format!("[{table}.{name}]"), 0);
+            whole.or_else(|| line_of(&format!("{name} ="), line_of(&format!("[{table}]"), 0)?))
+        };
+        tables.iter().find_map(table)
+    };
+    let line = match &error.obstacle {
+        DerivationObstacle::DependentConstraints { constraints }
+        | DerivationObstacle::SingularConstraints { constraints, .. } => {
+            constraints.last().and_then(|it| entry_of(&["constraints", "contacts"], it))
+        }
+        DerivationObstacle::Massless { speed } => {
+            entry_of(&["coordinates", "speeds"], speed.trim_end_matches('\''))
+        }
+        DerivationObstacle::CircularSolution { .. }
+        | DerivationObstacle::UnmetConstraint { .. }
+        | DerivationObstacle::UndeterminedReaction { .. }
+        | DerivationObstacle::TooManyInputRates { .. }
+        | DerivationObstacle::ImplicitForce { .. }
+        | DerivationObstacle::NotInState { .. }
+        | DerivationObstacle::GivenUp(_) => None,
+    };
+    let line = line.or_else(|| line_of(&format!("[modes.{}]", error.mode_name), 0));
     let message = error.to_string();
     match message.split_once("; ") {
         Some((message, help)) => at(name, line, message.to_owned(), help),

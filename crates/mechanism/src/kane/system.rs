@@ -50,12 +50,22 @@ pub struct ContactEquations {
     pub gap: Option<[Node; 2]>,
     /// Normal force while it is closed (N), its energy (J), and the power that it takes (W).
     pub normal: Option<[Node; 3]>,
-    /// Contribution of 1 N of normal force to the derivative, and to the readout.
-    pub normal_response: Vec<Node>,
-    pub normal_readout: Option<Node>,
+    /// Contribution of 1 N of normal force; empty for a bearing.
+    pub normal_response: ForceResponse,
     /// Speed of the striking part at closing (m/s).
     pub sounds: Option<Node>,
     pub friction: Option<FrictionEquations>,
+}
+
+/// Contribution of 1 N (or 1 N·m) of a contact or friction.
+#[derive(Clone, Debug, Default)]
+pub struct ForceResponse {
+    /// To the derivative, entry by entry.
+    pub derivative: Vec<Node>,
+    /// To the readout; `None` where it is undetermined.
+    pub readout: Option<Node>,
+    /// To the power of clocks and of surfaces that move by themselves (W).
+    pub motor: Option<Node>,
 }
 
 /// Friction of a contact in one mode.
@@ -65,9 +75,8 @@ pub struct FrictionEquations {
     pub slip: Node,
     pub gradient: Vec<Node>,
     pub drift: Node,
-    /// Contribution of 1 N in the direction of positive slip to the derivative, and to the readout.
-    pub response: Vec<Node>,
-    pub readout: Node,
+    /// Contribution of 1 N in the direction of positive slip.
+    pub response: ForceResponse,
     pub stiction: Node,
     pub kinetic: Node,
 }

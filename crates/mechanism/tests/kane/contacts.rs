@@ -80,17 +80,22 @@ fn a_contact_adds_what_its_force_does() {
         let value = |node| contact.one(node, &x, input);
         closed += usize::from(value(gap) < 0.0);
         let free = contact.derivative(0, &x, input);
-        let normal = contact.all(&here.normal_response, &x, input);
-        let along = contact.all(&friction.response, &x, input);
+        let normal = contact.all(&here.normal_response.derivative, &x, input);
+        let along = contact.all(&friction.response.derivative, &x, input);
         let [with_normal, with_slip] = [&pushed, &rubbed].map(|it| it.derivative(0, &x, input));
         for i in 0..4 {
             close(free[i] + normal[i] * value(force), with_normal[i], 1e-11, "normal");
             close(free[i] + along[i], with_slip[i], 1e-11, "friction");
         }
         let readout = |d: &Derived| d.one(d.system.modes[0].readout.expect("readout"), &x, input);
-        let by_normal = value(here.normal_readout.expect("readout")) * value(force);
+        let by_normal = value(here.normal_response.readout.expect("readout")) * value(force);
         close(readout(&contact) + by_normal, readout(&pushed), 1e-11, "readout");
-        close(readout(&contact) + value(friction.readout), readout(&rubbed), 1e-11, "readout");
+        close(
+            readout(&contact) + value(friction.response.readout.expect("readout")),
+            readout(&rubbed),
+            1e-11,
+            "readout",
+        );
         let other = &pushed.system.modes[0];
         let [dissipated, stored] =
             [other.dissipated, other.energy].map(|it| pushed.one(it.expect("balance"), &x, input));

@@ -1,5 +1,7 @@
 use mechanism::kane::mechanism::Target;
 
+use mechanism::kane::derive_model;
+
 use crate::kane::builder::MechanismBuilder;
 
 #[track_caller]
@@ -76,4 +78,25 @@ fn a_reset_of_what_is_solved_is_named() {
     let value = m.e("0");
     m.guard(0, "end", "1 - a", 0).branches[0].set = vec![(Target::Coordinate(1), value)];
     check(m, "mode tied: the reset map of end sets b, which is solved in every mode");
+}
+
+/// A mass in a plane, with what `more` says.
+fn bob(more: &str) -> String {
+    let range = "unit = \"m\", range = [\"-1 m\", \"1 m\"], speed_range = [\"-9 m/s\", \"9 m/s\"]";
+    format!(
+        "name = \"bob\"\n[coordinates]\nx = {{ {range} }}\ny = {{ {range} }}\n[frames]\n\
+         b = {{ origin = [\"x\", \"y\"] }}\n[bodies]\nb = {{ frame = \"b\", mass = \"1 kg\" }}\n\
+         {more}\n[rest]\nstart = true\nx = \"0.6 m\"\n"
+    )
+}
+
+#[test]
+fn constraints_have_their_line() {
+    let of = |more: &str| derive_model("bob.toml", &bob(more), &());
+    let said = |more| of(more).expect_err("a mistake").to_string();
+    let point = said("[constraints]\npoint = { zero = \"x^2 + y^2\" }");
+    assert!(point.contains("bob.toml:10:1") && point.contains("rate of point vanishes"), "{point}");
+    let twice = said("[constraints]\na = { zero = \"x - y\" }\nb = { zero = \"2*y - 2*x\" }");
+    assert!(twice.contains("bob.toml:11:1") && twice.contains("depend on one another"), "{twice}");
+    of("[constraints]\nrod = { zero = \"x^2 + y^2 - 0.36 m^2\" }").expect("a rod holds everywhere");
 }

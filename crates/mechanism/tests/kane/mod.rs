@@ -18,6 +18,7 @@ mod grand;
 mod guard_bounds;
 mod impacts;
 mod lagrange;
+mod named_forces;
 mod oracle;
 mod passivity;
 mod plain_equations;

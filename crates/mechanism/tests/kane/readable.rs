@@ -5,6 +5,8 @@ use mechanism::kane::mechanism::{
 use mechanism::kane::readable::{Notation, SymbolNames, equations, expression, system_equations};
 use mechanism::kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
+use crate::kane::runnable::described;
+
 fn names() -> SymbolNames {
     let mut names = SymbolNames::default();
     names.set(Place::Parameter(0), "k1");
@@ -177,4 +179,36 @@ floor leads to flight; after it:
     assert!(latex.contains("\\section*{mode flight}"), "{latex}");
     assert!(latex.contains("\\ddot{y} &= -g \\\\\n"), "{latex}");
     assert_eq!(latex.matches("\\begin").count(), latex.matches("\\end").count());
+}
+
+#[test]
+fn frictions_act_slaved_speeds_stand_once_and_thirds_are_ratios() {
+    let text = r#"
+name = "belt"
+[coordinates]
+x = { unit = "m", range = ["-1 m", "1 m"], speed_range = ["-9 m/s", "9 m/s"] }
+y = { unit = "m", range = ["-1 m", "1 m"], speed_range = ["-9 m/s", "9 m/s"] }
+[frames]
+b = { origin = ["x", "y"] }
+[bodies]
+b = { frame = "b", mass = "3 kg" }
+[springs]
+s = { stretch = "x", stiffness = "1 N/m" }
+[frictions]
+belt = { slip = "x' - 0.1 m/s", stiction = "5 N" }
+[constraints]
+rod = { zero = "x^2 + y^2 - 0.25 m^2" }
+[outputs]
+third = { value = "x/3" }
+[rest]
+start = true
+x = "0.3 m"
+y = "0.4 m"
+"#;
+    let printed = system_equations(&described(text).system, Notation::Text);
+    assert!(printed.contains("*force(belt)") && printed.contains("1/3*x"), "{printed}");
+    assert!(!printed.contains("drift_") && !printed.contains("0.333"), "{printed}");
+    for speed in ["x'", "y'"] {
+        assert!(printed.matches(&format!("\n    {speed} = ")).count() <= 1, "{printed}");
+    }
 }

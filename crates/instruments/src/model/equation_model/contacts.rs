@@ -4,7 +4,8 @@ use alloc::sync::Arc;
 
 use crate::equations::{EquationModel, ModeNumber};
 use pode::contacts::{
-    ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, WithContacts,
+    ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, MAX_CONTACTS,
+    WithContacts,
 };
 use pode::{GuardId, Motion};
 
@@ -79,7 +80,13 @@ impl<const N: usize, const C: usize> Described
         input: &Motion,
         out: &mut [f64],
     ) {
-        self.system().outputs(mode.structure, x, input, out);
+        let mut frictions = [0.0; MAX_CONTACTS];
+        for (contact, force) in self.friction_forces(mode, x, input).iter() {
+            if let Some(slot) = frictions.get_mut(contact) {
+                *slot = force;
+            }
+        }
+        self.system().outputs_with(mode.structure, (x, input), &frictions, out);
     }
 
     fn unmet(&self, report: &mut dyn FnMut(&str)) {

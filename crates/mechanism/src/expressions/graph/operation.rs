@@ -14,7 +14,10 @@ pub enum Place {
     Input(u8),
     /// Force of a constraint; known once a mode's equations are solved.
     Reaction(u16),
+    /// Normal force of a contact.
     Contact(u16),
+    /// Friction of a contact or bearing, along positive slip; known once it sticks or slides.
+    Friction(u16),
     /// Argument beyond state and input, defined by each function.
     Extra(u16),
     /// Number of the key, 0 (A0) to 87 (C8), in gradings.

@@ -78,7 +78,8 @@ fn contact(
     if let Some(friction) = &contact.friction {
         self::friction(graph, functions, builder, (name, friction), &mut table)?;
     }
-    if contact.friction.as_ref().is_none_or(|friction| graph.is_zero(friction.readout)) {
+    let felt = contact.friction.as_ref().and_then(|friction| friction.response.readout);
+    if felt.is_none_or(|readout| graph.is_zero(readout)) {
         table.slopes = Some(slopes(graph, functions, builder, (name, contact))?);
     }
     Ok(table)
@@ -92,7 +93,7 @@ fn slopes(
 ) -> Result<FunctionId, AssemblyError> {
     let zero = graph.constant(0.0);
     let force = contact.normal.map_or(zero, |normal| normal[0]);
-    let readout = graph.multiply(contact.normal_readout.unwrap_or(zero), force);
+    let readout = graph.multiply(contact.normal_response.readout.unwrap_or(zero), force);
     let slopes =
         [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
     builder.add(graph, functions, &format!("{name}_slopes"), &slopes)
@@ -106,15 +107,17 @@ fn normal(
     ([force, energy, taken], table): ([Node; 3], &mut ContactModeTable),
 ) -> Result<(), AssemblyError> {
     let zero = graph.constant(0.0);
+    let response = &contact.normal_response;
     let mut added: Vec<_> =
-        contact.normal_response.iter().map(|per| graph.multiply(*per, force)).collect();
+        response.derivative.iter().map(|per| graph.multiply(*per, force)).collect();
     added.resize(builder.context.places.len(), zero);
     let rows = builder.state.jacobian(graph, &added);
     let rows: Vec<_> = rows.into_iter().flatten().collect();
-    let readout = contact.normal_readout.unwrap_or(zero);
-    let readout = graph.multiply(readout, force);
+    let [readout, motor] =
+        [response.readout, response.motor].map(|per| graph.multiply(per.unwrap_or(zero), force));
     let rate = graph.symbol(Place::Input(1));
-    let supplied = graph.multiply(readout, rate);
+    let driven = graph.multiply(readout, rate);
+    let supplied = graph.add(driven, motor);
     let balance = [readout, energy, supplied, taken];
     table.normal = Some(builder.add(graph, functions, &format!("{name}_normal"), &added)?);
     table.jacobian = Some(builder.add(graph, functions, &format!("{name}_jacobian"), &rows)?);
@@ -130,7 +133,9 @@ fn friction(
     table: &mut ContactModeTable,
 ) -> Result<(), AssemblyError> {
     let slip = [&[friction.slip, friction.drift], friction.gradient.as_slice()].concat();
-    let response = [friction.response.as_slice(), &[friction.readout]].concat();
+    let (zero, per) = (graph.constant(0.0), &friction.response);
+    let (readout, motor) = (per.readout.unwrap_or(zero), per.motor.unwrap_or(zero));
+    let response = [per.derivative.as_slice(), &[readout, motor]].concat();
     let limits = [friction.stiction, friction.kinetic];
     table.slip = Some(builder.add(graph, functions, &format!("{name}_slip"), &slip)?);
     let bound = guards::bound(graph, functions, builder, (&format!("{name}_slip"), friction.slip))?;

@@ -1,5 +1,6 @@
 //! The functions of a program, and their values by interpretation.
 
+use instruments::MAX_CODED_CONTACTS;
 use instruments::equations::table::{Arguments, EnclosureLayout, FunctionId, Functions};
 
 use super::AssemblyError;
@@ -84,6 +85,9 @@ impl FunctionList {
             layout.place(Place::Extra(number), Argument::Extra(number));
         }
         layout.place(Place::Key, Argument::Extra(0));
+        for contact in (0..).take(MAX_CODED_CONTACTS) {
+            layout.place(Place::Friction(contact), Argument::Extra(contact));
+        }
         Self {
             layout,
             parameters,

@@ -11,7 +11,7 @@ use super::functions::FunctionList;
 use super::guard_numbers::GuardNumbers;
 use super::modes::mode;
 use super::{AssemblyError, Program, contacts, drawing, names};
-use crate::kane::graph::{Graph, Place};
+use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::{Mechanism, StringDamper};
 use crate::kane::system::EquationSystem;
 
@@ -136,7 +136,7 @@ impl Values {
     }
 }
 
-/// The state to start from: coordinates as they are given, at rest.
+/// The state to start from: coordinates and speeds as they are given, else 0.
 fn rest(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -145,8 +145,20 @@ fn rest(
 ) -> Result<RestTable, AssemblyError> {
     let zero = graph.constant(0.0);
     let guess = |place: &Place| {
-        let Place::Coordinate(number) = place else { return zero };
-        mechanism.rest.coordinates.get(usize::from(*number)).copied().flatten().unwrap_or(zero)
+        let of = |given: &[Option<Node>], number: u16| given.get(usize::from(number)).copied();
+        let given = match *place {
+            Place::Coordinate(number) => of(&mechanism.rest.coordinates, number),
+            Place::Speed(number) => of(&mechanism.rest.speeds, number),
+            Place::Parameter(_)
+            | Place::Acceleration(_)
+            | Place::Input(_)
+            | Place::Reaction(_)
+            | Place::Contact(_)
+            | Place::Friction(_)
+            | Place::Extra(_)
+            | Place::Key => None,
+        };
+        given.flatten().unwrap_or(zero)
     };
     let guess: Vec<_> = state.iter().map(guess).collect();
     let number = |mode: usize| u8::try_from(mode).unwrap_or(u8::MAX);

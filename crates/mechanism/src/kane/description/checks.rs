@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use documents::quoted;
 
 use super::names::number;
+use super::plausible::PresetPose;
 use super::reader::{MechanismReader, STATE};
 use crate::kane::graph::{Node, Place};
 use crate::kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
@@ -33,7 +34,7 @@ impl MechanismReader {
         self.check_modes();
     }
 
-    fn tape(&self, nodes: &[Node]) -> Option<Tape> {
+    pub(super) fn tape(&self, nodes: &[Node]) -> Option<Tape> {
         let mut layout = ArgumentLayout::default();
         layout.place(Place::Key, Argument::Extra(0));
         let coordinates = self.mechanism.coordinates.len();
@@ -53,7 +54,7 @@ impl MechanismReader {
         Tape::lower(&self.graph, &layout, nodes).ok()
     }
 
-    fn preset_name(&self, preset: usize) -> String {
+    pub(super) fn preset_name(&self, preset: usize) -> String {
         quoted(self.mechanism.instrument.presets.get(preset).map_or("", |it| &it.name))
     }
 
@@ -83,6 +84,7 @@ impl MechanismReader {
             for index in wrong {
                 self.say_range((preset, index), constants[index], key);
             }
+            self.check_limits(preset, &constants, key);
             // NaN does not meet a requirement.
             let unmet = |it: &usize| margins[*it].is_nan() || margins[*it] <= 0.0;
             let mut unmet: Vec<_> = (0..margins.len()).filter(unmet).collect();
@@ -136,6 +138,10 @@ impl MechanismReader {
         let constants = tape.evaluate(&TapeArguments { extra: &[0.0], ..TapeArguments::default() });
         let mode = self.rest_mode_of(&constants);
         let state = self.rest_state(preset, &constants, mode);
+        if self.report.is_empty() {
+            let (constants, state) = (&constants, &state);
+            self.check_start(PresetPose { preset, constants, state, mode });
+        }
         for (node, place, text) in self.at_rest(mode) {
             let Some(tape) = self.tape(&[node]) else { continue };
             let arguments =
@@ -166,7 +172,7 @@ impl MechanismReader {
         other.map_or(rest.mode, |(_, mode)| *mode)
     }
 
-    /// Returns the coordinates at rest, then the speeds, which are 0.
+    /// Returns the coordinates at rest, then the speeds: those of a stated start, else 0.
     fn rest_state(&mut self, preset: usize, constants: &[f64], mode: usize) -> Vec<f64> {
         let count = self.mechanism.coordinates.len();
         let mut state = vec![0.0; count + self.mechanism.speeds.len()];
@@ -175,7 +181,9 @@ impl MechanismReader {
         let open = |index: &usize| given.get(*index).is_none_or(Option::is_none);
         let first = given.iter().enumerate().filter_map(|(index, it)| Some((index, (*it)?)));
         let then = solved.into_iter().filter(|(index, _)| open(index));
-        for (index, node) in first.chain(then).collect::<Vec<_>>() {
+        let speeds = self.mechanism.rest.speeds.iter().enumerate();
+        let speeds = speeds.filter_map(|(index, it)| Some((count + index, (*it)?)));
+        for (index, node) in first.chain(then).chain(speeds).collect::<Vec<_>>() {
             let arguments = TapeArguments { constants, state: &state, ..TapeArguments::default() };
             let value = self.tape(&[node]).map(|it| it.evaluate(&arguments));
             let value = value.and_then(|it| it.first().copied()).unwrap_or(0.0);

@@ -91,6 +91,7 @@ impl MechanismReader {
             let range = self.range(&mut keys, "range", &entry.name, dimension);
             let has_rate = has_rate.contains(&entry.name.as_str());
             let speed_range = if has_rate {
+                self.refuse_speed_range(&mut keys, &entry.name);
                 None
             } else {
                 let rate = dimension.over(Dimension::TIME);
@@ -122,6 +123,13 @@ impl MechanismReader {
                 self.declare_speed(entry);
             }
         }
+    }
+
+    fn refuse_speed_range(&mut self, keys: &mut KeyReader<'_>, name: &str) {
+        let Some(key) = keys.take("speed_range") else { return };
+        let message = format!("{} has no speed of its own", quoted(name));
+        let help = "its rate is stated in [rates]: give the range of the speed in [speeds]";
+        self.report.say(key.place, message, help);
     }
 
     fn declare_speed(&mut self, entry: &TomlEntry) {

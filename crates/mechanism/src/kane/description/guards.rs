@@ -78,6 +78,11 @@ impl MechanismReader {
             sounds.and_then(|it| self.mode_value("sounds", &it, reach, Dimension::SPEED, mode));
         let (name, place) = named?;
         let scale = scale.unwrap_or(1.0);
+        let impacts: Vec<_> = branches.iter().filter_map(|it| it.impact).collect();
+        if !impacts.is_empty() {
+            let place = positive.map_or(place, |it| it.place);
+            self.guard_impacts(mode, value?, (scale, place), &impacts);
+        }
         let unit = value?.dimension.to_string();
         let value = value?.node;
         let name = name.to_owned();
@@ -123,7 +128,7 @@ impl MechanismReader {
     fn changes(&mut self, keys: &mut KeyReader<'_>, mode: usize) -> GuardChanges {
         let mut set = Vec::new();
         for entry in keys.table(&mut self.report, "set") {
-            let Some((target, dimension)) = self.target(entry) else { continue };
+            let Some((target, dimension)) = self.target(entry, &[]) else { continue };
             let Some(file) = self.written(&entry.name, &entry.node) else { continue };
             let reach = STATE.and(Dependence::FORCES);
             let value = self.mode_value(&entry.name, &file, reach, dimension, mode);
@@ -133,7 +138,12 @@ impl MechanismReader {
         GuardChanges { set, impact }
     }
 
-    fn target(&mut self, entry: &TomlEntry) -> Option<(Target, Dimension)> {
+    /// Returns the coordinate or speed of that name; `others` are names that could be meant instead.
+    pub(super) fn target(
+        &mut self,
+        entry: &TomlEntry,
+        others: &[&str],
+    ) -> Option<(Target, Dimension)> {
         let symbol = self.names.symbols.get(&entry.name).map(|(kind, _)| *kind);
         if let Some(SymbolKind::Coordinate(index)) = symbol {
             return Some((Target::Coordinate(index), self.names.coordinates.get(index).copied()?));
@@ -145,6 +155,7 @@ impl MechanismReader {
         let mechanism = &self.mechanism;
         let coordinates = mechanism.coordinates.iter().map(|it| it.name.as_str());
         let known = coordinates.chain(mechanism.speeds.iter().map(|it| it.name.as_str()));
+        let known = known.chain(others.iter().copied());
         let help = choice(&entry.name, known);
         let message = format!("there is no coordinate or speed {}", quoted(&entry.name));
         self.report.say(entry.place, message, help);
@@ -174,7 +185,11 @@ impl MechanismReader {
             return None;
         }
         let restitution = match restitution {
-            Some(file) => self.node("restitution", &file, CONSTANT, Dimension::NONE)?,
+            Some(file) => {
+                let value = self.node("restitution", &file, CONSTANT, Dimension::NONE)?;
+                self.limit_value("restitution", &file, value, 1.0);
+                value
+            }
             None => self.graph.constant(0.0),
         };
         let within = within.and_then(|(name, place)| self.mode_number(name, place));

@@ -1,6 +1,6 @@
 use documents::quoted;
 
-use super::items::{DescribedItem, FileExpression, FrictionText, LawKind};
+use super::items::{DescribedItem, FileExpression, FrictionText, ItemKind, LawKind};
 use super::linear::is_linear_in_speeds;
 use super::names::{LawPlace, distance, number};
 use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
@@ -74,7 +74,7 @@ impl MechanismReader {
         let tension = Dimension::ENERGY.over(stretch.dimension);
         let zero = self.graph.constant(0.0);
         let mut factor = |name: &str, dimension: Dimension| match item.field(name) {
-            Some(file) => self.node(name, file, CONSTANT, dimension),
+            Some(file) => self.not_negative(name, file, dimension),
             None => Some(zero),
         };
         let stiffness = factor("stiffness", tension.over(stretch.dimension));
@@ -111,10 +111,10 @@ impl MechanismReader {
             Some(power) => tension.over(depth.dimension.to(power)),
             None => tension,
         };
-        let stiffness = self.node("stiffness", item.field("stiffness")?, CONSTANT, stiffness_unit);
+        let stiffness = self.not_negative("stiffness", item.field("stiffness")?, stiffness_unit);
         let per_rate = Dimension::NONE.over(rate.dimension);
         let damping = match item.field("damping") {
-            Some(file) => Some(self.node("damping", file, CONSTANT, per_rate)?),
+            Some(file) => Some(self.not_negative("damping", file, per_rate)?),
             None => None,
         };
         let parts = FeltParts { depth, rate, stiffness: stiffness?, exponent, damping };
@@ -142,6 +142,7 @@ impl MechanismReader {
     fn contact(&mut self, item: &DescribedItem, at: usize) -> Option<(Force, Dimension)> {
         let gap = self.value(item.field("gap")?, POSE)?;
         self.fits("gap", item.field("gap")?, gap, Dimension::LENGTH).then_some(())?;
+        self.slip(at);
         let (force, dimension) = self.felt(item, "gap")?;
         let sounds = match item.field("sounds") {
             Some(file) => Some(self.node("sounds", file, STATE, Dimension::SPEED)?),
@@ -162,11 +163,9 @@ impl MechanismReader {
 
     /// Builds a bearing: its friction alone, with limits that are built after all forces.
     fn bearing(&mut self, item: &DescribedItem, index: usize, at: usize) {
-        let text = self.built.frictions.iter().find(|it| it.contact == at).cloned();
-        let Some(slip) = text.and_then(|it| it.slip) else { return };
-        let Some(slip) = self.value(&slip, STATE) else { return };
+        let Some(slip) = self.slip(at) else { return };
         let dimension = Dimension::POWER.over(slip.dimension);
-        self.names.laws.set(index, (LawPlace::Contact(at), dimension));
+        self.names.laws.set(index, (LawPlace::Bearing(at), dimension));
         let name = item.name.clone();
         let contact = MechanismContact {
             name,
@@ -179,7 +178,22 @@ impl MechanismReader {
         self.built.contacts.push((at, contact));
     }
 
-    /// Builds slips and limits, which may contain the forces of all springs and contacts.
+    pub(super) fn slip_text(&self, kind: ItemKind) -> Option<&FileExpression> {
+        let ItemKind::Law(_, LawKind::Contact(at) | LawKind::Bearing(at)) = kind else {
+            return None;
+        };
+        self.built.frictions.iter().find(|it| it.contact == at)?.slip.as_ref()
+    }
+
+    /// Builds the slip of a contact or bearing; `None` without a friction.
+    fn slip(&mut self, contact: usize) -> Option<Measured> {
+        let text = self.built.frictions.iter().find(|it| it.contact == contact)?;
+        let slip = self.value(&text.slip.clone()?, STATE)?;
+        self.names.slips.insert(contact, slip);
+        Some(slip)
+    }
+
+    /// Builds frictions with their limits, which may contain the forces of all springs and contacts.
     pub(super) fn build_frictions(&mut self) {
         for text in std::mem::take(&mut self.built.frictions) {
             let Some(friction) = self.friction(&text) else { continue };
@@ -192,7 +206,7 @@ impl MechanismReader {
 
     fn friction(&mut self, text: &FrictionText) -> Option<DryFriction> {
         let slip_file = text.slip.as_ref()?;
-        let slip = self.value(slip_file, STATE)?;
+        let slip = *self.names.slips.get(&text.contact)?;
         if !is_linear_in_speeds(&self.graph, slip.node) {
             let message = format!("the slip of {} is not linear in the speeds", quoted(&text.name));
             self.report.say(
@@ -215,6 +229,7 @@ impl MechanismReader {
 
     fn limit(&mut self, name: &str, file: &FileExpression, limit: Dimension) -> Option<Node> {
         let node = self.node(name, file, MOTION, limit)?;
+        self.limit_value(name, file, node, f64::INFINITY);
         let mut all = self.forces_acting(|_| true);
         Some(all.of(&mut self.graph, node))
     }

@@ -1,7 +1,7 @@
 //! A description in TOML, read into a [`Mechanism`] with all its mistakes at once.
 //!
 //! [`read`] is the entry. In the order of processing: `documents::toml` and `bases` build one tree,
-//! `rigid` expands rigid contacts, `declare` collects every name with its expressions, `order`
+//! `rigid` expands rigid contacts, `time` adds the coordinate `t`, `declare` collects every name with its expressions, `order`
 //! sorts items by their needs, `geometry`, `laws` and `modes` build nodes, `checks` tests numbers.
 
 mod bases;
@@ -26,12 +26,14 @@ mod order;
 mod outlines;
 mod outputs;
 mod parameters;
+mod plausible;
 mod presets;
 mod reachable;
 mod reader;
 mod resolve;
 mod rest;
 mod rigid;
+mod time;
 mod toml_making;
 mod world_frame;
 

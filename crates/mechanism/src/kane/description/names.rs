@@ -21,6 +21,8 @@ pub(super) enum SymbolKind {
 pub(super) enum LawPlace {
     Force(usize),
     Contact(usize),
+    /// Bearing, by its number among the contacts.
+    Bearing(usize),
 }
 
 #[derive(Clone, Debug)]
@@ -62,6 +64,9 @@ impl<T: Clone> NameCatalogue<T> {
     }
 
     pub(super) fn choice(&self, wrong: &str) -> String {
+        if self.names.is_empty() {
+            return format!("there are none yet: describe one, or leave out {}", quoted(wrong));
+        }
         choice(wrong, self.names.keys())
     }
 }
@@ -82,6 +87,8 @@ pub(super) struct NameTable {
     pub(super) points: NameCatalogue<WorldPoint>,
     pub(super) frames: NameCatalogue<super::world_frame::WorldFrame>,
     pub(super) laws: NameCatalogue<(LawPlace, Dimension)>,
+    /// Slips of the contacts and bearings with friction, by their numbers.
+    pub(super) slips: BTreeMap<usize, Measured>,
     pub(super) constraints: NameCatalogue<Dimension>,
     motion: Option<Tangent>,
 }
@@ -92,7 +99,8 @@ impl NameTable {
         graph: &mut Graph,
         value: Measured,
     ) -> Result<Measured, NameError> {
-        let unknown = Dependence::ACCELERATIONS.and(Dependence::REACTIONS).and(Dependence::FORCES);
+        let forces = Dependence::FORCES.and(Dependence::FRICTIONS);
+        let unknown = Dependence::ACCELERATIONS.and(Dependence::REACTIONS).and(forces);
         if unknown.meets(value.reach) {
             return Err(NameError {
                 message: format!("the rate of {} is not known", unknown.words()),
@@ -197,6 +205,16 @@ impl NameTable {
                 Ok(length(at, reach))
             }
             ("force", [name]) => self.force(graph, name),
+            ("friction", [name]) => match self.law(name)?.0 {
+                LawPlace::Contact(at) | LawPlace::Bearing(at) if self.slips.contains_key(&at) => {
+                    Ok(self.friction(graph, at))
+                }
+                LawPlace::Force(_) | LawPlace::Contact(_) | LawPlace::Bearing(_) => {
+                    let message = format!("{} has no friction", quoted(name));
+                    let help = "name a friction, or a contact with one".to_owned();
+                    Err((0, Some(NameError { message, help })))
+                }
+            },
             ("reaction", [name]) => {
                 let Some(index) = self.constraints.index(name) else {
                     let help = self.constraints.choice(name);
@@ -210,13 +228,26 @@ impl NameTable {
         }
     }
 
-    fn force(&self, graph: &mut Graph, name: &str) -> Result<Measured, (usize, Option<NameError>)> {
+    fn law(&self, name: &str) -> Result<(LawPlace, Dimension), (usize, Option<NameError>)> {
         let Some(index) = self.laws.index(name) else {
             let help = self.laws.choice(name);
-            return Err((0, Some(missing("spring, felt, force or contact", name, help))));
+            let kinds = "spring, felt, force, contact or friction";
+            return Err((0, Some(missing(kinds, name, help))));
         };
-        let (place, dimension) = self.laws.value(index).ok_or((0, None))?;
+        self.laws.value(index).ok_or((0, None))
+    }
+
+    fn friction(&self, graph: &mut Graph, contact: usize) -> Measured {
+        let slip = self.slips.get(&contact).map_or(Dimension::SPEED, |slip| slip.dimension);
+        let node = graph.symbol(Place::Friction(number(contact)));
+        let dimension = Dimension::POWER.over(slip);
+        Measured { node, dimension, reach: Dependence::FRICTIONS }
+    }
+
+    fn force(&self, graph: &mut Graph, name: &str) -> Result<Measured, (usize, Option<NameError>)> {
+        let (place, dimension) = self.law(name)?;
         let (place, reach) = match place {
+            LawPlace::Bearing(at) => return Ok(self.friction(graph, at)),
             LawPlace::Force(index) => (Place::Extra(number(index)), Dependence::FORCES),
             LawPlace::Contact(index) => (Place::Contact(number(index)), Dependence::REACTIONS),
         };

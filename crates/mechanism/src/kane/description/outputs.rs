@@ -2,7 +2,7 @@ use documents::quoted;
 use documents::toml::{KeyReader, TomlEntry, TomlKind, TomlNode};
 
 use super::items::FileExpression;
-use super::reader::{MOTION, MechanismReader};
+use super::reader::{MechanismReader, RESULT};
 use crate::kane::mechanism::MechanismOutput;
 use crate::kane::text::{Dimension, Measured};
 
@@ -25,7 +25,7 @@ impl MechanismReader {
         let others = self.in_modes(&mut keys);
         keys.finish(&mut self.report);
         let Some(file) = value else { return };
-        let Some(value) = self.value(&file, MOTION) else { return };
+        let Some(value) = self.value(&file, RESULT) else { return };
         if has_unit && unit.is_none() {
             return;
         }
@@ -52,7 +52,7 @@ impl MechanismReader {
         mode: usize,
     ) -> Option<crate::kane::graph::Node> {
         match other {
-            Some(other) => self.mode_value("in", other, MOTION, dimension, mode),
+            Some(other) => self.mode_value("in", other, RESULT, dimension, mode),
             None => Some(self.acting(file, value, mode).node),
         }
     }

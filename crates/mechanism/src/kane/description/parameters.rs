@@ -30,7 +30,10 @@ impl MechanismReader {
             let message = format!("the parameter {} has no value", quoted(&entry.name));
             self.report.miss(entry.place, message, "write value = \"5 mm\"");
         }
-        let unit = self.parameter_unit(&mut keys, value.as_ref());
+        let unit = match value.as_ref().and_then(|value| self.without_unit(&mut keys, value)) {
+            Some(()) => None,
+            None => self.parameter_unit(&mut keys, value.as_ref()),
+        };
         let (unit, dimension) = self.or_vague(&entry.name, unit);
         let range = self.range(&mut keys, "range", &entry.name, dimension);
         let title = keys.text(&mut self.report, "title").map(|(it, _)| it.to_owned());
@@ -102,6 +105,20 @@ impl MechanismReader {
         });
         let unit = value.expression.literal_unit().unwrap_or("1").to_owned();
         Some((unit, dimension.unwrap_or_default()))
+    }
+
+    /// Reports a bare number as value beside a range with a unit.
+    fn without_unit(&mut self, keys: &mut KeyReader<'_>, value: &FileExpression) -> Option<()> {
+        let is_bare = value.expression.is_literal() && value.expression.literal_unit().is_none();
+        let ends = keys.take("range").filter(|_| is_bare)?.node.items()?;
+        let unit = ends.iter().find_map(|end| {
+            let end = text::parse(end.text()?, Form::Value).ok()?;
+            end.is_literal().then(|| end.literal_unit().map(str::to_owned)).flatten()
+        })?;
+        let message = format!("the value has no unit, but its range is in {unit}");
+        let help = format!("write its unit, as \"{} {unit}\"", value.expression.text.trim());
+        self.report.say(value.place, message, help);
+        Some(())
     }
 
     /// Returns the unit of `name`; without one, its dependents are not checked.

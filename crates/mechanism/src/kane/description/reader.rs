@@ -12,8 +12,9 @@ use documents::{Diagnostics, quoted};
 use super::bases::{self, Bases};
 use super::items::{DescribedItem, FileExpression, FrictionText, ParameterText};
 use super::names::NameTable;
-use super::rigid;
+use super::plausible::PlausibleValues;
 use super::{Description, MOST_COORDINATES, MOST_OF_A_KIND};
+use super::{rigid, time};
 use crate::kane::graph::{Graph, Node, Substitution};
 use crate::kane::mechanism::{Constraint, DrawnFrame, Force, Mechanism, MechanismContact};
 use crate::kane::text::{Dependence, Measured};
@@ -28,9 +29,11 @@ pub(super) const POSE: Dependence =
     Dependence::PARAMETERS.and(Dependence::COORDINATES).and(Dependence::INPUT);
 /// What forces are over.
 pub(super) const STATE: Dependence = POSE.and(Dependence::SPEEDS).and(Dependence::INPUT_RATES);
-/// What outputs are over.
+/// What guards are over.
 pub(super) const MOTION: Dependence =
     STATE.and(Dependence::ACCELERATIONS).and(Dependence::REACTIONS).and(Dependence::FORCES);
+/// What outputs are over.
+pub(super) const RESULT: Dependence = MOTION.and(Dependence::FRICTIONS);
 
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct WatchedNode {
@@ -86,6 +89,7 @@ pub(super) struct BuiltLaws {
     /// Typical sizes of gaps (m).
     pub(super) contact_scales: Vec<(usize, f64)>,
     pub(super) frictions: Vec<FrictionText>,
+    pub(super) plausible: PlausibleValues,
 }
 
 #[derive(Debug, Default)]
@@ -107,6 +111,7 @@ impl MechanismReader {
         let mut doc = String::new();
         if let Some(tree) = bases::merged(&mut self.report, source, bases) {
             let tree = rigid::written_out(&mut self.report, &tree).unwrap_or(tree);
+            let tree = time::with_time(&tree).unwrap_or(tree);
             self.names.is_broken = self.report.is_broken;
             doc = self.all(&tree);
         }

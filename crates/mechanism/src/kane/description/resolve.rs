@@ -9,7 +9,7 @@ use super::items::{DescribedItem, FileExpression, ItemKind, LinkKind};
 use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::order::sorted;
-use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
+use super::reader::{CONSTANT, MechanismReader, POSE, RESULT, STATE};
 use crate::kane::mechanism::{Constraint, ConstraintKind};
 use crate::kane::text::{Dimension, Measured, PartShape};
 
@@ -74,7 +74,8 @@ impl MechanismReader {
         for link in &item.links {
             needs.extend(self.linked(link.kind, &link.name, index));
         }
-        for (_, field) in &item.fields {
+        let fields = item.fields.iter().map(|(_, field)| field);
+        for field in fields.chain(self.slip_text(item.kind)) {
             for part in &field.expression.parts {
                 self.part_needs(&part.shape, index, &mut needs);
             }
@@ -117,7 +118,7 @@ impl MechanismReader {
 
     fn named_need(&self, function: &str, name: &str, index: &ItemIndex) -> Option<usize> {
         let (list, at) = match function {
-            "force" => (&index.laws, self.names.laws.index(name)?),
+            "force" | "friction" => (&index.laws, self.names.laws.index(name)?),
             "reaction" => (&index.constraints, self.names.constraints.index(name)?),
             _ => (&index.points, self.names.points.index(name)?),
         };
@@ -129,7 +130,7 @@ impl MechanismReader {
             ItemKind::Input => self.build_input(item),
             ItemKind::Rate(index) => self.build_rate(item, index),
             ItemKind::Definition(index) => {
-                let value = item.field("value").and_then(|it| self.value(it, MOTION));
+                let value = item.field("value").and_then(|it| self.value(it, RESULT));
                 if let Some(slot) = self.names.definitions.get_mut(index) {
                     *slot = value;
                 }

@@ -1,17 +1,17 @@
 //! `[rest]`: the rest pose, and the damper that the key lifts.
 
+use documents::quoted;
 use documents::toml::{KeyReader, TomlEntry, TomlNode};
-use documents::{choice, quoted};
 
-use super::names::SymbolKind;
 use super::reader::{CONSTANT, MechanismReader};
-use crate::kane::mechanism::{Rest, StringDamper};
+use crate::kane::mechanism::{Rest, StringDamper, Target};
 use crate::kane::text::{Dependence, Dimension, Form};
 
 impl MechanismReader {
     pub(super) fn rest(&mut self, root: &mut KeyReader<'_>) {
         let mut rest =
             Rest { coordinates: vec![None; self.names.coordinates.len()], ..Rest::default() };
+        rest.speeds = vec![None; self.names.speeds.len()];
         let entry = root.take("rest");
         self.places.rest_coordinates = vec![None; self.names.coordinates.len()];
         self.places.rest = entry.map_or(root.place, |it| it.place);
@@ -66,23 +66,26 @@ impl MechanismReader {
     }
 
     fn rest_entry(&mut self, entry: &TomlEntry, rest: &mut Rest) {
-        let symbol = self.names.symbols.get(&entry.name).map(|(kind, _)| *kind);
-        let Some(SymbolKind::Coordinate(index)) = symbol else {
-            let coordinates = self.mechanism.coordinates.iter().map(|it| it.name.as_str());
-            let help = choice(&entry.name, coordinates.chain(["mode", "start"]));
-            let message = format!("there is no coordinate {}", quoted(&entry.name));
-            self.report.say(entry.place, message, help);
+        let Some((target, dimension)) = self.target(entry, &["mode", "start"]) else { return };
+        if matches!(target, Target::Speed(_)) && !rest.is_start {
+            let message = format!("{} is a speed, and what rests has none", quoted(&entry.name));
+            self.report.say(entry.place, message, "write start = true if it starts so");
             return;
-        };
+        }
         let Some(file) = self.written(&entry.name, &entry.node) else { return };
-        let dimension = self.names.coordinates.get(index).copied().unwrap_or_default();
         let reach = CONSTANT.and(Dependence::INPUT);
         let value = self.node(&entry.name, &file, reach, dimension);
-        if let Some(slot) = self.places.rest_coordinates.get_mut(index) {
-            *slot = Some(entry.place);
-        }
-        if let Some(slot) = rest.coordinates.get_mut(index) {
+        let (slot, place) = match target {
+            Target::Coordinate(index) => {
+                (rest.coordinates.get_mut(index), self.places.rest_coordinates.get_mut(index))
+            }
+            Target::Speed(index) => (rest.speeds.get_mut(index), None),
+        };
+        if let Some(slot) = slot {
             *slot = value;
+        }
+        if let Some(slot) = place {
+            *slot = Some(entry.place);
         }
     }
 

@@ -118,7 +118,12 @@ fn without_rigid(tree: &mut TomlNode, rigid: &[&String]) {
     }
 }
 
-fn extend(entries: &mut Vec<TomlEntry>, name: &str, place: SourcePlace, more: Vec<TomlEntry>) {
+pub(super) fn extend(
+    entries: &mut Vec<TomlEntry>,
+    name: &str,
+    place: SourcePlace,
+    more: Vec<TomlEntry>,
+) {
     if let Some(entry) = entries.iter_mut().find(|entry| entry.name == name) {
         if let TomlKind::Table(all) = &mut entry.node.kind {
             all.extend(more);

@@ -2,12 +2,12 @@
 
 use super::balance::lost;
 use super::explicit::ExplicitForms;
-use super::inertia::{InertiaTerms, gradient};
+use super::inertia::{InertiaTerms, drift, gradient};
 use super::kinematics::{along_places, number};
 use super::motion::ModeMotion;
 use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::mechanism::{DryFriction, Mechanism, MechanismContact, Mode};
-use crate::kane::system::{ContactEquations, FrictionEquations};
+use crate::kane::system::{ContactEquations, ForceResponse, FrictionEquations};
 
 pub(super) struct ContactScope<'a> {
     pub(super) mechanism: &'a Mechanism,
@@ -32,19 +32,12 @@ impl ContactScope<'_> {
             let rate = along_places(graph, self.mechanism).of(graph, gap);
             (gap, rate)
         });
-        let (normal_response, normal_readout) = match gap {
-            Some((_, rate)) => {
-                let (response, readout) = self.response(graph, forms, rate);
-                (response, Some(readout))
-            }
-            None => (Vec::new(), None),
-        };
+        let normal_response = gap.map(|(_, rate)| self.response(graph, forms, rate));
         ContactEquations {
             contact: number,
             gap: gap.map(|(gap, rate)| [gap, rate].map(|it| forms.value(graph, it))),
             normal: self.normal(graph, forms, contact),
-            normal_response,
-            normal_readout,
+            normal_response: normal_response.unwrap_or_default(),
             sounds: contact.sounds.map(|it| forms.value(graph, it)),
             friction: contact.friction.as_ref().map(|it| self.friction(graph, forms, it)),
         }
@@ -62,23 +55,21 @@ impl ContactScope<'_> {
         Some([force.tension, force.energy, lost].map(|it| forms.value(graph, it)))
     }
 
-    /// Returns the contribution of 1 N along `rate` to the derivative, and to the readout.
-    fn response(
-        &self,
-        graph: &mut Graph,
-        forms: &mut ExplicitForms,
-        rate: Node,
-    ) -> (Vec<Node>, Node) {
-        let slopes = gradient(graph, self.mechanism, rate);
+    /// Returns the contributions of 1 N along `rate`.
+    fn response(&self, graph: &mut Graph, forms: &mut ExplicitForms, rate: Node) -> ForceResponse {
+        let mut slopes = gradient(graph, self.mechanism, rate);
+        slopes.push(drift(graph, self.mechanism, rate));
         let response = self.motion.response(graph, self.inertia, &slopes);
         let zero = graph.constant(0.0);
         let entries = self.state.iter().map(|place| {
             let Place::Speed(j) = place else { return zero };
             forms.value(graph, response.accelerations[usize::from(*j)])
         });
-        let entries = entries.collect();
-        let readout = response.driving.map_or(zero, |it| forms.value(graph, it));
-        (entries, readout)
+        ForceResponse {
+            derivative: entries.collect(),
+            readout: response.driving.map(|it| forms.value(graph, it)),
+            motor: response.motor.map(|it| forms.value(graph, it)),
+        }
     }
 
     fn friction(
@@ -91,13 +82,11 @@ impl ContactScope<'_> {
         let gradient = self.state.iter().map(|place| graph.partial(slip, *place)).collect();
         let by_time = (0..2).map(|k| (Place::Input(k), graph.symbol(Place::Input(k + 1))));
         let drift = Tangent::new(by_time.collect::<Vec<_>>()).of(graph, slip);
-        let (response, readout) = self.response(graph, forms, friction.slip);
         FrictionEquations {
             slip,
             gradient,
             drift,
-            response,
-            readout,
+            response: self.response(graph, forms, friction.slip),
             stiction: forms.value(graph, friction.stiction),
             kinetic: forms.value(graph, friction.kinetic),
         }

@@ -26,7 +26,13 @@ pub(super) fn implicit(
 ) -> Vec<DerivationObstacle> {
     let is_implicit = |node: Node| {
         graph.depends(node, |place| {
-            matches!(place, Place::Acceleration(_) | Place::Reaction(_) | Place::Contact(_))
+            matches!(
+                place,
+                Place::Acceleration(_)
+                    | Place::Reaction(_)
+                    | Place::Contact(_)
+                    | Place::Friction(_)
+            )
         })
     };
     let forces = mode.forces.iter().map(|f| &mechanism.forces[*f]);
@@ -52,7 +58,7 @@ impl ModeScope<'_> {
         graph: &mut Graph,
     ) -> Result<ModeEquations, Vec<DerivationObstacle>> {
         let (mechanism, mode, motion) = (self.mechanism, self.mode(), self.motion());
-        let mut forms = ExplicitForms::of(graph, mechanism, self.inertia, mode, motion);
+        let mut forms = ExplicitForms::of(graph, mechanism, self.inertia, mode, motion, &[]);
         self.check(graph, &forms)?;
         let mut equations = ModeEquations::default();
         self.move_state(graph, &mut forms, &mut equations);
@@ -63,12 +69,21 @@ impl ModeScope<'_> {
         let readout = stated.or(motion.driving).map(|it| forms.value(graph, it));
         let rate = graph.symbol(Place::Input(1));
         equations.readout = readout;
-        equations.supplied = readout.map(|it| graph.multiply(it, rate));
         let balance = BalanceTerms::of(graph, mechanism, self.inertia, mode);
+        let driven = readout.map(|it| (graph.multiply(it, rate), 1.0));
+        let others = motion.motor.into_iter().chain([balance.supplied]);
+        let others: Vec<_> = others.map(|it| (forms.value(graph, it), 1.0)).collect();
+        let terms: Vec<_> = driven.into_iter().chain(others).collect();
+        equations.supplied = Some(graph.sum(&terms));
         equations.energy = Some(forms.value(graph, balance.energy));
         equations.dissipated = Some(forms.value(graph, balance.dissipated));
         let outputs = mechanism.outputs.iter().filter_map(|it| it.values.get(self.number));
-        equations.outputs = outputs.map(|it| forms.value(graph, *it)).collect();
+        let mut with_friction =
+            mechanism.contacts.iter().any(|it| it.friction.is_some()).then(|| {
+                ExplicitForms::of(graph, mechanism, self.inertia, mode, motion, &mode.contacts)
+            });
+        let of_outputs = with_friction.as_mut().unwrap_or(&mut forms);
+        equations.outputs = outputs.map(|it| of_outputs.value(graph, *it)).collect();
         equations.guards =
             mode.guards.iter().map(|guard| self.guard(graph, &mut forms, guard)).collect();
         Ok(equations)

@@ -18,6 +18,8 @@ pub enum DerivationObstacle {
     Massless { speed: String },
     /// One constraint follows from the others at the rest pose.
     DependentConstraints { constraints: Vec<String> },
+    /// The constraints lose their rank at a pose within the ranges.
+    SingularConstraints { constraints: Vec<String>, pose: String },
     /// The `solved` expressions of these coordinates depend on one another.
     CircularSolution { coordinates: Vec<String> },
     /// The `solved` expressions do not meet a constraint.
@@ -56,6 +58,12 @@ impl fmt::Display for DerivationObstacle {
                 f,
                 "at the rest pose the constraints {} depend on one another; leave one of them \
                  out, or take a rest pose where they do not",
+                constraints.join(", ")
+            ),
+            Self::SingularConstraints { constraints, pose } => write!(
+                f,
+                "at {pose} the rate of {} vanishes, so that it holds nothing there; write it so \
+                 that it changes with what it holds, or narrow the ranges",
                 constraints.join(", ")
             ),
             Self::CircularSolution { coordinates } => write!(

@@ -8,6 +8,8 @@ use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::mechanism::{Mechanism, Mode};
 
 /// Expressions of a mode without accelerations, reactions and dependent entries, and their rates.
+///
+/// The frictions of the contacts `rubbing` act and have a symbol; the others are 0.
 #[derive(Debug)]
 pub(super) struct ExplicitForms {
     known: Substitution,
@@ -24,6 +26,7 @@ impl ExplicitForms {
         inertia: &InertiaTerms,
         mode: &Mode,
         motion: &ModeMotion,
+        rubbing: &[usize],
     ) -> Self {
         let zero = graph.constant(0.0);
         let mut accelerations = motion.accelerations.clone();
@@ -32,7 +35,9 @@ impl ExplicitForms {
         for c in 0..mechanism.contacts.len() {
             let pressing = pressing(graph, mechanism, mode, c);
             known.push((Place::Contact(number(c)), pressing.map_or(zero, |it| it.0)));
-            if let Some((force, rate)) = pressing {
+            let rubbing = rubbing.contains(&c).then(|| friction(graph, mechanism, c)).flatten();
+            known.push((Place::Friction(number(c)), rubbing.map_or(zero, |it| it.0)));
+            for (force, rate) in pressing.into_iter().chain(rubbing) {
                 let slopes = gradient(graph, mechanism, rate);
                 let response = motion.response(graph, inertia, &slopes);
                 let all = accelerations.iter_mut().zip(response.accelerations);
@@ -90,6 +95,12 @@ impl ExplicitForms {
         let constraint = mechanism.constraints[usize::from(*missing)].name.clone();
         Some(DerivationObstacle::UndeterminedReaction { constraint })
     }
+}
+
+/// Returns the friction force of a contact, as its symbol, and its slip.
+fn friction(graph: &mut Graph, mechanism: &Mechanism, contact: usize) -> Option<(Node, Node)> {
+    let slip = mechanism.contacts[contact].friction.as_ref()?.slip;
+    Some((graph.symbol(Place::Friction(number(contact))), slip))
 }
 
 fn pressing(

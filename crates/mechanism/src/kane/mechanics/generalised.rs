@@ -1,6 +1,6 @@
 use std::collections::{BTreeMap, HashMap};
 
-use super::inertia::{InertiaTerms, gradient};
+use super::inertia::{InertiaTerms, drift, gradient};
 use super::kinematics::number;
 use super::speeds::SpeedMap;
 use crate::kane::graph::{Graph, Node, Place, Substitution};
@@ -20,6 +20,10 @@ pub(super) fn forces(
         let slopes = gradient(graph, mechanism, force.stretch_rate);
         for (terms, slope) in terms.iter_mut().zip(slopes) {
             terms.push((graph.multiply(force.tension, slope), -1.0));
+        }
+        if let Some(clocks) = terms.get_mut(mechanism.speeds.len() + 1) {
+            let drift = drift(graph, mechanism, force.stretch_rate);
+            clocks.push((graph.multiply(force.tension, drift), -1.0));
         }
     }
     terms.iter().map(|terms| graph.sum(terms)).collect()

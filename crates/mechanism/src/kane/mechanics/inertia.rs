@@ -1,14 +1,15 @@
 //! The mass matrix and inertia forces, by partial velocities.
 //!
 //! The last row and column are those of the input's rate, which is prescribed: its row is the
-//! generalised force that drives the input.
+//! generalised force that drives the input. If coordinates move where all speeds are 0, as clocks
+//! do, one more row is that of their motion, and its force times 1 is the power that drives them.
 
 use super::kinematics::{self, BodyMotion, number};
 use super::vector::{Components, FrameVector, Orientations, cross};
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::mechanism::Mechanism;
 
-/// Inertia and weight of all bodies, over all speeds; the input's rate is the last.
+/// Inertia and weight of all bodies, over all speeds, the input's rate and the clocks, if any.
 #[derive(Debug)]
 pub(super) struct InertiaTerms {
     pub(super) mass: Vec<Vec<Node>>,
@@ -29,16 +30,27 @@ pub(super) fn gradient(graph: &mut Graph, mechanism: &Mechanism, node: Node) -> 
     rates(mechanism).into_iter().map(|place| graph.partial(node, place)).collect()
 }
 
+/// Returns the value of a rate where the speeds and the input's rate are 0.
+pub(super) fn drift(graph: &mut Graph, mechanism: &Mechanism, rate: Node) -> Node {
+    let zero = graph.constant(0.0);
+    Substitution::new(rates(mechanism).into_iter().map(|place| (place, zero))).of(graph, rate)
+}
+
 impl InertiaTerms {
     pub(super) fn of(graph: &mut Graph, mechanism: &Mechanism) -> Self {
         let mut axes = Orientations::new(&mechanism.frames);
         let bodies = kinematics::bodies(graph, &mut axes, mechanism);
         let places = rates(mechanism);
         let zero = graph.constant(0.0);
+        let has_clocks = mechanism.coordinates.iter().any(|it| {
+            let drift = drift(graph, mechanism, it.rate);
+            !graph.is_zero(drift)
+        });
+        let rows = places.len() + usize::from(has_clocks);
         let mut sums = InertiaSums {
-            mass: vec![vec![Vec::new(); places.len()]; places.len()],
-            bias: vec![Vec::new(); places.len()],
-            weight: vec![Vec::new(); places.len()],
+            mass: vec![vec![Vec::new(); rows]; rows],
+            bias: vec![Vec::new(); rows],
+            weight: vec![Vec::new(); rows],
             potential: Vec::new(),
             direct: Vec::new(),
         };
@@ -85,7 +97,10 @@ impl BodyTerms<'_> {
         let motion = self.motion;
         let rotation = axes.express(graph, &motion.rotation, self.frame);
         let turning = axes.express(graph, &motion.angular_acceleration, self.frame);
-        let partials = self.partials(graph, rotation, places);
+        let mut partials = self.partials(graph, rotation, places);
+        if places.len() < sums.bias.len() {
+            partials.push(self.drift(graph, rotation, places));
+        }
         let momentum = self.times_inertia(graph, rotation);
         let gyroscopic = cross(graph, rotation, momentum);
         let torque = self.times_inertia(graph, turning);
@@ -119,6 +134,15 @@ impl BodyTerms<'_> {
                 Partial { velocity, rotation, momentum }
             })
             .collect()
+    }
+
+    /// Returns the motion where all speeds are 0.
+    fn drift(&self, graph: &mut Graph, rotation: Components, places: &[Place]) -> Partial {
+        let zero = graph.constant(0.0);
+        let mut still = Substitution::new(places.iter().map(|place| (*place, zero)));
+        let velocity = self.motion.velocity.map(graph, |graph, it| still.of(graph, it));
+        let rotation = rotation.map(|it| still.of(graph, it));
+        Partial { velocity, rotation, momentum: self.times_inertia(graph, rotation) }
     }
 
     fn pair(
@@ -195,7 +219,7 @@ impl InertiaSums {
 /// Returns ½ Σ M u u.
 fn half_square(graph: &mut Graph, places: &[Place], mass: &[Vec<Node>]) -> Node {
     let mut terms = Vec::new();
-    for (r, row) in mass.iter().enumerate() {
+    for (r, row) in mass.iter().enumerate().take(places.len()) {
         for (c, entry) in row.iter().enumerate().take(r + 1) {
             let (u, v) = (graph.symbol(places[r]), graph.symbol(places[c]));
             let product = graph.product(&[(*entry, 1), (u, 1), (v, 1)]);

@@ -22,6 +22,7 @@ mod numeric;
 mod poses;
 mod projection;
 mod reset;
+mod singular;
 mod speed_checks;
 mod speeds;
 mod vector;
@@ -135,6 +136,7 @@ fn state(graph: &Graph, mechanism: &Mechanism, motions: &[ModeMotion]) -> Vec<Pl
             | Place::Input(_)
             | Place::Reaction(_)
             | Place::Contact(_)
+            | Place::Friction(_)
             | Place::Extra(_)
             | Place::Key => true,
         };

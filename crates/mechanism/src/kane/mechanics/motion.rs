@@ -27,6 +27,8 @@ pub(super) struct ModeMotion {
     /// Reactions of the constraints, by their numbers; `None` where they are undetermined.
     pub(super) reactions: BTreeMap<usize, Option<Node>>,
     pub(super) driving: Option<Node>,
+    /// Power of what moves by itself: clocks, and surfaces at a stated speed.
+    pub(super) motor: Option<Node>,
     finish: HashMap<Place, Node>,
 }
 
@@ -34,7 +36,16 @@ pub(super) struct ModeMotion {
 pub(super) struct Response {
     pub(super) accelerations: Vec<Node>,
     pub(super) driving: Option<Node>,
+    pub(super) motor: Option<Node>,
     pub(super) reactions: BTreeMap<usize, Node>,
+}
+
+/// Forces and powers that hold a mode's constraints and prescribed motions.
+#[derive(Default)]
+struct HoldingForces {
+    driving: Option<Node>,
+    motor: Option<Node>,
+    reactions: Option<BTreeMap<usize, Node>>,
 }
 
 impl ModeMotion {
@@ -67,6 +78,7 @@ impl ModeMotion {
             solved: &solved,
         };
         let speeds = problem.solve()?;
+        super::singular::check(graph, &here, mechanism, mode, &solved)?;
         let solved = solved.resolved(graph);
         let finish = finishing(graph, &solved, &speeds);
         let dynamic = (0..speeds.independent.len())
@@ -81,6 +93,7 @@ impl ModeMotion {
             accelerations: Vec::new(),
             reactions: BTreeMap::new(),
             driving: None,
+            motor: None,
             finish,
         };
         motion.factor = motion.factored(graph, mechanism, inertia)?;
@@ -151,10 +164,11 @@ impl ModeMotion {
         self.accelerations = self.expand(graph, &base, &free);
         let mut all = self.accelerations.clone();
         all.push(graph.symbol(Place::Input(2)));
-        let moved = times(graph, &inertia.mass, &all, n + 1);
-        let residual: Vec<Node> = (0..=n).map(|i| graph.subtract(moved[i], force[i])).collect();
-        let (driving, reactions) = self.reactions_of(graph, &residual);
-        self.driving = driving;
+        let moved = times(graph, &inertia.mass, &all, force.len());
+        let residual: Vec<Node> =
+            moved.iter().zip(&force).map(|(moved, force)| graph.subtract(*moved, *force)).collect();
+        let HoldingForces { driving, motor, reactions } = self.holding(graph, &residual);
+        (self.driving, self.motor) = (driving, motor);
         for constraint in &mode.constraints {
             self.reactions
                 .insert(*constraint, reactions.as_ref().and_then(|it| it.get(constraint).copied()));
@@ -193,15 +207,14 @@ impl ModeMotion {
             .collect()
     }
 
-    /// Returns the force that drives the input, and the reactions that balance `residual`, which is
-    /// over all speeds and the input's rate.
-    fn reactions_of(
-        &self,
-        graph: &mut Graph,
-        residual: &[Node],
-    ) -> (Option<Node>, Option<BTreeMap<usize, Node>>) {
-        let last = residual.len() - 1;
+    /// Returns the forces that balance `residual`, which is over all speeds, the input's rate and,
+    /// if there are any, the clocks.
+    fn holding(&self, graph: &mut Graph, residual: &[Node]) -> HoldingForces {
+        let last = self.speeds.slopes.len();
+        let zero = graph.constant(0.0);
+        let alone = residual.get(last + 1).copied().unwrap_or(zero);
         let rows = &self.speeds.rows;
+        let mut still = Substitution::new([(Place::Input(1), zero)]);
         let dependent = &self.speeds.dependent;
         let found = (rows.len() == dependent.len()).then(|| {
             let a = dependent.iter().map(|j| rows.iter().map(|row| row.slopes[*j]).collect());
@@ -210,20 +223,32 @@ impl ModeMotion {
         });
         let Some(values) = found.flatten() else {
             let is_touched = rows.iter().any(|row| !graph.is_zero(row.slopes[last]));
-            return ((!is_touched).then_some(residual[last]), None);
+            let rests: Vec<_> = rows.iter().map(|row| still.of(graph, row.rest)).collect();
+            let is_moved = rests.iter().any(|rest| !graph.is_zero(*rest));
+            return HoldingForces {
+                driving: (!is_touched).then_some(residual[last]),
+                motor: (!is_moved).then_some(alone),
+                reactions: None,
+            };
         };
-        let mut terms = vec![(residual[last], 1.0)];
+        let (mut terms, mut powers) = (vec![(residual[last], 1.0)], vec![(alone, 1.0)]);
         let mut reactions = BTreeMap::new();
         for (row, value) in rows.iter().zip(values) {
             terms.push((graph.multiply(row.slopes[last], value[0]), -1.0));
+            let rest = still.of(graph, row.rest);
+            powers.push((graph.multiply(rest, value[0]), -1.0));
             if let Some(constraint) = row.constraint {
                 reactions.insert(constraint, value[0]);
             }
         }
-        (Some(graph.sum(&terms)), Some(reactions))
+        HoldingForces {
+            driving: Some(graph.sum(&terms)),
+            motor: Some(graph.sum(&powers)),
+            reactions: Some(reactions),
+        }
     }
 
-    /// Returns the effect of a generalised force over all speeds and the input's rate.
+    /// Returns the effect of a generalised force over all speeds, the input's rate and the clocks.
     pub(super) fn response(
         &self,
         graph: &mut Graph,
@@ -237,11 +262,13 @@ impl ModeMotion {
         let accelerations = self.expand(graph, &vec![zero; n], &free);
         let mut all = accelerations.clone();
         all.push(zero);
-        let moved = times(graph, &inertia.mass, &all, n + 1);
-        let residual: Vec<Node> =
-            moved.iter().zip(force).map(|(moved, force)| graph.subtract(*moved, *force)).collect();
-        let (driving, reactions) = self.reactions_of(graph, &residual);
-        Response { accelerations, driving, reactions: reactions.unwrap_or_default() }
+        let mut residual = times(graph, &inertia.mass, &all, inertia.mass.len());
+        residual.resize(residual.len().max(force.len()), zero);
+        for (left, force) in residual.iter_mut().zip(force) {
+            *left = graph.subtract(*left, *force);
+        }
+        let HoldingForces { driving, motor, reactions } = self.holding(graph, &residual);
+        Response { accelerations, driving, motor, reactions: reactions.unwrap_or_default() }
     }
 
     pub(super) fn reduce(&self, graph: &mut Graph, slopes: &[Node]) -> Vec<Node> {

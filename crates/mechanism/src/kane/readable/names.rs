@@ -28,6 +28,8 @@ impl SymbolNames {
         }
         for (at, contact) in (0..).zip(&mechanism.contacts) {
             names.set(Place::Contact(at), &format!("force({})", contact.name));
+            let function = if contact.gap.is_some() { "friction" } else { "force" };
+            names.set(Place::Friction(at), &format!("{function}({})", contact.name));
         }
         names
     }
@@ -52,6 +54,7 @@ impl SymbolNames {
             }
             Place::Reaction(at) => format!("reaction({at})"),
             Place::Contact(at) => format!("force({at})"),
+            Place::Friction(at) => format!("friction({at})"),
             Place::Extra(at) => format!("extra{at}"),
             Place::Key => "key".to_owned(),
         }

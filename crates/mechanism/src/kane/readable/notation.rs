@@ -29,6 +29,18 @@ impl WrittenPart {
     }
 }
 
+/// Returns numerator and denominator of a small ratio without a short decimal form, as of 1/3.
+fn ratio(value: f64) -> Option<(u16, u16)> {
+    let is_long = format!("{value}").len() > 12;
+    let below = (2..=99).filter(|_| is_long).find(|below| {
+        let above = (value * f64::from(*below)).round();
+        (1.0..1000.0).contains(&above) && (above / f64::from(*below) - value).abs() == 0.0
+    })?;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 999")]
+    let above = (value * f64::from(below)).round() as u16;
+    Some((above, below))
+}
+
 impl Notation {
     pub(super) fn name(self, name: &str) -> WrittenPart {
         WrittenPart::atom(match self {
@@ -38,6 +50,10 @@ impl Notation {
     }
 
     pub(super) fn number(self, value: f64) -> WrittenPart {
+        if let Some((above, below)) = ratio(value) {
+            let [above, below] = [above, below].map(|it| WrittenPart::atom(it.to_string()));
+            return self.fraction(&above, &below);
+        }
         let scientific = format!("{value:e}");
         let plain = format!("{value}");
         let short = if scientific.len() + 3 < plain.len() { scientific } else { plain };

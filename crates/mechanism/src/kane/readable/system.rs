@@ -2,7 +2,7 @@ use instruments::equations::table::is_pose;
 
 use super::writer::{Equation, equations};
 use super::{Notation, SymbolNames};
-use crate::kane::graph::{Node, NodeOperation, Place};
+use crate::kane::graph::{Graph, Node, NodeOperation, Place};
 use crate::kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
 /// Returns the equations of `system` by mode: slaved entries, rates, outputs, guards, reset maps.
@@ -24,8 +24,15 @@ pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
 pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) -> String {
     let Some(found) = system.modes.get(mode) else { return String::new() };
     let names = SymbolNames::of(&system.mechanism);
-    let mut page =
-        Page { system, names, wanted: Vec::new(), sections: Vec::new(), statements: Vec::new() };
+    let graph = system.mechanism.graph.clone();
+    let mut page = Page {
+        system,
+        graph,
+        names,
+        wanted: Vec::new(),
+        sections: Vec::new(),
+        statements: Vec::new(),
+    };
     page.motion(found);
     page.results(found);
     for guard in &found.guards {
@@ -37,6 +44,8 @@ pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) 
 
 struct Page<'a> {
     system: &'a EquationSystem,
+    /// The system's, and terms that are only printed.
+    graph: Graph,
     names: SymbolNames,
     wanted: Vec<(String, Node)>,
     sections: Vec<(usize, String)>,
@@ -56,7 +65,7 @@ impl Page<'_> {
     /// Adds a rate, unless it is a speed of that name: `y' = y'` is empty.
     fn want_rate(&mut self, name: &str, node: Option<Node>) {
         let Some(node) = node else { return };
-        let operation = self.system.mechanism.graph.operation(node);
+        let operation = self.graph.operation(node);
         let is_said =
             matches!(operation, NodeOperation::Symbol(it) if self.names.name(*it) == name);
         if !is_said {
@@ -65,7 +74,7 @@ impl Page<'_> {
     }
 
     fn is_itself(&self, node: Node, place: Place) -> bool {
-        matches!(self.system.mechanism.graph.operation(node), NodeOperation::Symbol(it) if *it == place)
+        matches!(self.graph.operation(node), NodeOperation::Symbol(it) if *it == place)
     }
 
     fn motion(&mut self, mode: &ModeEquations) {
@@ -73,13 +82,12 @@ impl Page<'_> {
         for (at, place) in self.system.state.iter().enumerate() {
             let name = self.names.name(*place);
             if mode.is_free.get(at) == Some(&false) {
-                self.want(name, mode.slaved.get(at).copied());
+                let is_said = self.wanted.iter().any(|(said, _)| *said == name);
+                self.want(name, mode.slaved.get(at).copied().filter(|_| !is_said));
             } else {
-                self.want_rate(&format!("{name}'"), mode.derivative.get(at).copied());
+                let rate = mode.derivative.get(at).map(|rate| self.with_contacts(mode, at, *rate));
+                self.want_rate(&format!("{name}'"), rate);
             }
-        }
-        for (at, drift) in mode.drift.iter().enumerate() {
-            self.want(format!("drift_{at}"), *drift);
         }
         for contact in &mode.contacts {
             let name = self.system.mechanism.contacts.get(contact.contact);
@@ -93,6 +101,23 @@ impl Page<'_> {
                 self.want(format!("kinetic({name})"), friction.kinetic);
             }
         }
+    }
+
+    /// Returns a rate with what contacts and frictions add to it, by their names.
+    fn with_contacts(&mut self, mode: &ModeEquations, entry: usize, rate: Node) -> Node {
+        let mut terms = vec![(rate, 1.0)];
+        let responses = mode.contacts.iter().flat_map(|contact| {
+            let number = u16::try_from(contact.contact).unwrap_or(u16::MAX);
+            let normal = contact.normal.map(|_| (Place::Contact(number), &contact.normal_response));
+            let friction = contact.friction.as_ref();
+            [normal, friction.map(|it| (Place::Friction(number), &it.response))]
+        });
+        for (place, per) in responses.flatten() {
+            let force = self.graph.symbol(place);
+            let per = per.derivative.get(entry);
+            terms.extend(per.map(|per| (self.graph.multiply(*per, force), 1.0)));
+        }
+        self.graph.sum(&terms)
     }
 
     fn say(&mut self, statement: String) {
@@ -145,7 +170,7 @@ impl Page<'_> {
     }
 
     fn print(&self, title: &str, notation: Notation) -> String {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.graph;
         let (definitions, lines) = equations(graph, &self.wanted, &self.names, notation);
         let mut printed = Printed { notation, text: String::new() };
         printed.title(&format!("mode {title}"));

@@ -16,7 +16,7 @@ const FIRST: [&str; 2] = ["base", "remove"];
 /// Words beside the keys in the README's cells: placeholders for other names and values.
 const OTHER_WORDS: [&str; 8] = ["ground", "motion", "q", "key", "u", "y", "x", "rigid"];
 
-const COORDINATES: [&str; 2] = ["y", "h"];
+const COORDINATES: [&str; 4] = ["y", "h", "h'", "v"];
 
 /// Each kind of table; `@name` becomes a foreign key in the README's row `name`.
 const EVERYTHING: &str = r#"
@@ -132,7 +132,7 @@ fn read_keys() -> BTreeMap<&'static str, BTreeSet<String>> {
         let (_, offered) = offered.unwrap_or_else(|| panic!("{row} is not read: {mistakes:#?}"));
         let words = offered.trim_start_matches("one of ").split([',', ' ']);
         let words = words.map(|it| it.trim_matches('"').to_owned()).filter(|it| !it.is_empty());
-        // In the rest pose coordinates are listed beside the keys.
+        // In the rest pose coordinates and speeds are listed beside the keys.
         keys.entry(*row)
             .or_default()
             .extend(words.filter(|it| !COORDINATES.contains(&it.as_str())));

@@ -61,6 +61,40 @@ fn units_that_do_not_fit_are_named_with_both_places() {
 }
 
 #[test]
+fn numbers_that_cannot_be_meant_are_named() {
+    let damping = "damping = \"1 N*s/m\"";
+    says(damping, "damping = \"-1 N*s/m\"", &["\"damping\" is negative", "[forces]"]);
+    says("stiffness = \"k\"", "stiffness = \"1 N/m - k\"", &["\"stiffness\" is negative"]);
+    says(
+        "\"20 N/m\"",
+        "20",
+        &["16:15", "the value has no unit, but its range is in N/m", "as \"20 N/m\""],
+    );
+    let set = "set = { \"y'\" = \"0 m/s\" }";
+    let impact = |words: &str| format!("impact = {{ along = {words} }}");
+    says(set, &impact("\"1 m - y\", restitution = \"3*e\""), &["is outside 0 to 1"]);
+    says(set, &impact("\"y - 1 m\""), &["direction opposed", "positive apart"]);
+    good(&WEIGHT.replacen(set, &impact("\"1 m - y\", restitution = \"e\""), 1));
+    let fast = "mode = \"free\"\n\"y'\" = \"1 m/s\"";
+    says("mode = \"free\"", fast, &["what rests has none", "start = true"]);
+    good(&WEIGHT.replacen("mode = \"free\"", &format!("{fast}\nstart = true"), 1));
+    let start = "mode = \"leaning\"\nstart = true";
+    says("mode = \"free\"", start, &["the start contradicts the constraint \"wall\""]);
+    let felt =
+        "[felts]\nf = { compression = \"y\", stiffness = \"1 s\", exponent = 1.5 }\n[constraints]";
+    says("[constraints]", felt, &["not in N/m^1.5"]);
+    let contact = |gap: &str| {
+        let contact = format!("f = {{ gap = \"{gap}\", stiffness = \"k\" }}");
+        let text =
+            WEIGHT.replacen("[constraints]", &format!("[contacts]\n{contact}\n[constraints]"), 1);
+        text.replacen("mode = \"free\"", "mode = \"free\"\nstart = true", 1)
+    };
+    good(&contact("y + 2 m"));
+    let inside = mistakes_of(&contact("-1 m - y"), &());
+    assert!(inside[0].contains("\"f\" begins 9.9") && inside.len() == 1, "{inside:?}");
+}
+
+#[test]
 fn units_themselves_are_checked() {
     says("\"20 N/m\"", "\"20 Nm\"", &["\"Nm\" is no unit"]);
     says("unit = \"m\", range", "unit = \"mm\", range", &["\"mm\" is not in SI", "write m"]);

@@ -81,8 +81,10 @@ impl Derived {
         for k in 0..4 {
             layout.place(Place::Input(k), Argument::Input(k));
         }
+        // No friction acts.
+        layout.place(Place::Friction(0), Argument::Extra(0));
         let tape = Tape::lower(&self.system.mechanism.graph, &layout, nodes).expect("explicit");
-        tape.evaluate(&TapeArguments { constants: &self.values, state, input, extra: &[] })
+        tape.evaluate(&TapeArguments { constants: &self.values, state, input, extra: &[0.0] })
     }
 
     pub(crate) fn one(&self, node: Node, state: &[f64], input: [f64; 4]) -> f64 {
