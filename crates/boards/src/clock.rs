@@ -1,45 +1,41 @@
-//! A board's clock as the host sees it: where it stands, how fast it runs, how sure that is.
+//! A board's clock as the host estimates it: offset, rate and uncertainty.
 //!
-//! A round trip tells the board's time to within half its length, so the shortest round trips
-//! tell it best: through the last 64 a line is laid, in which each counts by the inverse square
-//! of its length (least squares, with the length as the error that it has).
-//! A line through trips that are close together says nothing of the rate, and a rate that is
-//! wrong by 2 % makes a time wrong by 1 ms after 50 ms: before the rate is known, no age of a
-//! sample is told. What was learned of the rate outlasts a clock that is set anew, since the
-//! oscillator is the same.
+//! A round trip determines the board's time to within half its length. A line is therefore fitted
+//! through the last 64 trips by least squares, each weighted by the inverse square of its length.
+//! Trips that are close together do not determine the rate, and a rate error of 2 % makes a time
+//! wrong by 1 ms after 50 ms. No age of a sample is returned before the rate is known. The rate
+//! outlasts a reset of the clock, since the oscillator is the same.
 //! Times are microseconds; the host's never wrap, the board's do.
 
 use firmware_protocol::acyclic::ping::CLOCK_TOLERANCE_PPM;
 
-/// Round trips that are remembered.
 const WINDOW: usize = 64;
 
 /// Error of the rate below which it counts as known (1): 0.15 ms between two round trips.
 const RATE_ERROR: f64 = 3e-3;
 
-/// Largest drift of a board's clock that is accepted, faster or slower (1).
+/// Largest accepted drift of a board's clock, fast or slow (1).
 pub const MOST_DRIFT: f64 = CLOCK_TOLERANCE_PPM as f64 * 1e-6;
 
-/// Largest drift that a clock which was not set anew is believed to have (1).
+/// Largest credible drift of a clock that was not reset (1).
 const MOST_BELIEVED: f64 = 0.1;
 
-/// A round trip to a board.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 struct RoundTrip {
     /// Middle of the round trip, host time since the first (us).
     host: f64,
     /// Board time then, since the first (us).
     board: f64,
-    /// How long it took (us).
+    /// Duration (us).
     length: f64,
 }
 
-/// What came of a round trip.
+/// Effect of a round trip.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ClockUpdate {
-    /// It was taken into account.
+    /// It was used.
     News,
-    /// The board's clock went backwards, or somewhere else: it has started anew.
+    /// The board's clock jumped: the board has restarted.
     Jumped,
 }
 
@@ -58,7 +54,7 @@ pub struct ClockModel {
     middle: f64,
     /// Rate of the board's clock minus 1.
     drift: f64,
-    /// How wrong that may be; infinite as long as nothing is known.
+    /// Error bound of `drift`; infinite while nothing is known.
     drift_error: f64,
 }
 
@@ -78,7 +74,7 @@ impl Default for ClockModel {
 }
 
 impl ClockModel {
-    /// Takes a round trip: asked at `sent_us`, answered with `board_us`, heard at `heard_us`.
+    /// Learns from a round trip: request at `sent_us`, answer `board_us`, arrival at `heard_us`.
     ///
     /// # Real-time
     /// Two passes over 64 trips.
@@ -86,7 +82,7 @@ impl ClockModel {
         let middle_us = sent_us + heard_us.saturating_sub(sent_us) / 2;
         let (host_origin, board_origin) = *self.origin.get_or_insert((middle_us, board_us));
         let since = board_us.wrapping_sub(board_origin);
-        // The whole board time nearest to the newest one that has these low bits.
+        // The board time nearest to the newest with these low bits.
         let [a, b, c, d, ..] = self.newest.to_le_bytes();
         let ahead = since.wrapping_sub(u32::from_le_bytes([a, b, c, d])).cast_signed();
         let board = self.newest + i64::from(ahead);
@@ -107,7 +103,7 @@ impl ClockModel {
         ClockUpdate::News
     }
 
-    /// Returns the same oscillator with another time, of which nothing is known yet.
+    /// Returns the same oscillator with an unknown offset.
     #[must_use]
     pub fn set_anew(&self) -> Self {
         let Self { drift, drift_error, .. } = *self;
@@ -122,7 +118,7 @@ impl ClockModel {
         self.drift_error <= RATE_ERROR
     }
 
-    /// Returns `true` if the board's clock runs too fast or too slow for the board to be used.
+    /// Returns `true` if the board's clock is too fast or too slow for the board to be used.
     pub fn is_beyond_tolerance(&self) -> bool {
         self.is_rate_known() && MOST_DRIFT + self.drift_error < self.drift.abs()
     }
@@ -138,12 +134,12 @@ impl ClockModel {
         Some(board_origin.wrapping_add(u32::from_le_bytes([a, b, c, d])))
     }
 
-    /// Returns how long ago, at the host's `now_us`, the board's clock showed a time whose low 16
-    /// bits are `stamp_us` (us); at most 65 ms can be told apart, 5 ms of them in the future.
+    /// Returns the age (us) of a board's time with the low 16 bits `stamp_us`, at the host's
+    /// `now_us`. At most 65 ms can be distinguished, 5 ms of them in the future.
     ///
-    /// None before the rate of the board's clock is known.
+    /// `None` before the rate of the board's clock is known.
     pub fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<i32> {
-        /// How far in the future a stamp is taken for what it says, not for an old one (us).
+        /// Largest time by which a stamp may be in the future rather than old (us).
         const FUTURE: u16 = 5_000;
         let told = self.board_us(now_us).filter(|_| self.is_rate_known())?;
         let [low, high, ..] = told.to_le_bytes();
@@ -151,7 +147,7 @@ impl ClockModel {
         Some(i32::from(age.wrapping_add(FUTURE)) - i32::from(FUTURE))
     }
 
-    /// Returns how much faster than the host's the board's clock runs (1e-6).
+    /// Returns the drift against the host's clock (1e-6, fast positive).
     pub fn drift_ppm(&self) -> f64 {
         self.drift * 1e6
     }
@@ -160,7 +156,7 @@ impl ClockModel {
         &self.trips[..self.n.min(WINDOW)]
     }
 
-    /// Tells whether `trip` cannot be of the same clock: further off than drift and trip explain.
+    /// Returns `true` if drift and the trip's length cannot explain its offset.
     fn is_jump(&self, trip: &RoundTrip) -> bool {
         if self.n == 0 {
             return false;
@@ -171,7 +167,7 @@ impl ClockModel {
         allowed < (trip.board - newest.board - passed).abs()
     }
 
-    /// Fits a line to them, the shorter a trip the nearer.
+    /// Fits the line; short trips weigh more.
     fn fit(&mut self) {
         let trips = self.remembered();
         let sum = |value: &dyn Fn(&RoundTrip) -> f64| -> f64 {
@@ -183,9 +179,9 @@ impl ClockModel {
         let spread = sum(&|trip| (trip.host - middle).powi(2));
         let covariance = sum(&|trip| (trip.host - middle) * (trip.board - trip.host - offset));
         (self.middle, self.offset) = (middle, offset);
-        // No trip is wrong by more than half its length, so this is on the safe side.
+        // No trip is wrong by more than half its length, so this is a safe bound.
         let error = spread.sqrt().recip();
-        // What was known before a clock was set anew holds until it is known as well again.
+        // The rate from before a reset holds until it is known as well again.
         if error <= RATE_ERROR {
             self.drift = (covariance / spread).clamp(-MOST_BELIEVED, MOST_BELIEVED);
             self.drift_error = error;
@@ -194,20 +190,18 @@ impl ClockModel {
 }
 
 impl RoundTrip {
-    /// Returns how much it counts: it tells the time to within half its length.
     fn weight(&self) -> f64 {
-        // Below 50 us the difference is noise of the system, not of the way.
+        // Below 50 us the difference is noise of the system.
         self.length.max(50.0).powi(-2)
     }
 }
 
-/// Returns the low half of a clock (us), as it stands on the wire.
+/// Returns the low half of a clock (us), as on the wire.
 pub(crate) const fn low(us: u64) -> u32 {
     let [a, b, c, d, ..] = us.to_le_bytes();
     u32::from_le_bytes([a, b, c, d])
 }
 
-/// Returns `later` − `earlier` (us).
 fn signed(later: u64, earlier: u64) -> f64 {
     later as f64 - earlier as f64
 }
@@ -216,7 +210,7 @@ fn signed(later: u64, earlier: u64) -> f64 {
 mod tests {
     use super::*;
 
-    /// A way of 150 us there and back, and what comes on top by chance (us).
+    /// A delay of 150 us each way, with random extra (us).
     fn way(n: u64) -> (u64, u64) {
         let chance = |n: u64| (n.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40) % 1_000;
         let late = |n: u64| if chance(n) < 700 { chance(n) / 10 } else { 4 * chance(n) };
@@ -227,7 +221,7 @@ mod tests {
         learned_every(20_000, n, rate, board_us)
     }
 
-    /// The same, `every` (us).
+    /// Returns a clock that learned from trips `every` (us).
     fn learned_every(
         every: u64,
         n: u64,
@@ -296,7 +290,7 @@ mod tests {
                 assert!(n < 50, "still not known");
                 continue;
             };
-            // Half a trip, and what the rate may be wrong by over 50 ms.
+            // Half a trip, and the rate error over 50 ms.
             assert!(8 < n && age.abs() < 300, "{age} us after {n} trips");
         }
     }
@@ -316,7 +310,7 @@ mod tests {
     fn quick_trips_at_the_start_do_not_tell_a_rate() {
         let mut clock = ClockModel::default();
         for i in 0..8 {
-            // Short trips, and as wrong as they may be, the same way each time a little more.
+            // Short trips with the largest error, always in the same direction.
             let sent = 1_000_000 + 5_000 * i;
             clock.learn(sent, low(sent + 10 + 20 * i), sent + 300);
         }

@@ -1,15 +1,15 @@
-//! What can be wrong at set-up, as sentences for the operator.
+//! Errors at set-up, as sentences for the operator.
 
 use std::{io, path::PathBuf};
 
 use documents::shown;
 
-/// Why something could not be set up.
+/// Reason why a set-up failed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     #[error("a tick of {period} s is not possible; give a period above 0 and up to 1 s")]
     Period {
-        /// The period that was asked for (s).
+        /// Requested period (s).
         period: f64,
     },
     #[error(

@@ -1,4 +1,4 @@
-//! What the numbers in a hello can be.
+//! Valid ranges of the numbers in a hello.
 
 use std::{fmt, ops::RangeInclusive};
 

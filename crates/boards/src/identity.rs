@@ -1,10 +1,10 @@
-//! What a board says of itself: its identity, and the keys that it carries.
+//! A board's identity and keys, as reported by itself.
 
 use std::fmt;
 
 use keyboard::{KeyIndex, KeyRange};
 
-/// Six bytes that no other board has; displayed as twelve hexadecimal digits.
+/// Six bytes that are unique to a board; displayed as twelve hexadecimal digits.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct Uid(pub [u8; 6]);
 
@@ -14,7 +14,7 @@ impl fmt::Display for Uid {
     }
 }
 
-/// The keys that a board claims to carry, possible or not.
+/// Keys that a board claims to carry, valid or not.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ClaimedKeys {
     /// Number of the lowest key, `0 ..= 87` if it is one.
@@ -23,7 +23,7 @@ pub struct ClaimedKeys {
 }
 
 impl ClaimedKeys {
-    /// Returns the range of these keys; none if they are no keys, or not all on the keyboard.
+    /// Returns the range of these keys; `None` if it is empty or exceeds the keyboard.
     pub fn range(self) -> Option<KeyRange> {
         let last = self.first.checked_add(self.n.checked_sub(1)?)?;
         KeyRange::new(KeyIndex::new(self.first)?, KeyIndex::new(last)?)

@@ -1,12 +1,11 @@
 //! The keys' side of the tick: boards, calibration, and the simulated keybed.
 //!
-//! [`rt::bus::KeybedBus`] is the host's end of eight boards on any [`crate::links::Link`]s: samples in,
-//! forces out, what was lost counted. [`sim::keybed::SimulatedKeybed`] puts simulated
-//! boards on the other end and fills the scheduler's `KeyBus`, byte for byte as real ones
-//! would. [`plan`] says what a bus can carry before a board is armed, and measures what it
-//! carries after.
+//! [`rt::bus::KeybedBus`] is the host's end of eight boards on any [`crate::links::Link`]s: it
+//! exchanges samples and forces, and counts losses. [`sim::keybed::SimulatedKeybed`] puts simulated
+//! boards on the other end, byte for byte as real ones. [`plan`] computes the capacity of a bus
+//! before a board is armed, and measures its load afterwards.
 //!
-//! Not here: what carries frames ([`links`]), threads, clocks, and what a force should be.
+//! Not here: carriers of frames ([`links`]), threads, clocks, and the computation of forces.
 #![forbid(unsafe_code)]
 
 pub mod calibrate;

@@ -1,4 +1,4 @@
-//! Why a board is not used, as sentences that name link, board and key.
+//! Reasons why a board is not used, as sentences that name link, board and key.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use crate::{
     rt::board_supervisor::SlowSamples, rt::key_fault::KeyFault, untaken::UntakenForces,
 };
 
-/// A board as it is called in sentences.
+/// A board's name in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct BoardName {
     pub line: String,
@@ -25,7 +25,7 @@ impl fmt::Display for BoardName {
     }
 }
 
-/// Why a board or a link is not used.
+/// Reason why a board or a link is not used.
 #[derive(Clone, PartialEq, Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "the sentences say it")]
 pub enum Refusal {
@@ -149,12 +149,12 @@ pub enum Refusal {
     Key { board: BoardName, key: KeyIndex, fault: CalibrationFault },
 }
 
-/// What came over a line on which no board answered.
+/// Input of a line on which no board answered.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct LineTraffic {
-    /// Frames that were no hello.
+    /// Frames other than hellos.
     pub frames: u64,
-    /// What came and was no frame.
+    /// Receptions that were no frame.
     pub corrupt: u64,
     pub down: u64,
 }
@@ -183,7 +183,7 @@ const fn status_words(status: Status) -> &'static str {
     }
 }
 
-/// Returns what is wrong with a clock that runs so much too fast (1e-6), in words.
+/// Returns the fault of a clock with this drift (1e-6), in words.
 pub fn clock_words(ppm: i32) -> String {
     let percent = f64::from(ppm.abs()) * 1e-4;
     let how = if ppm < 0 { "slow" } else { "fast" };
@@ -191,7 +191,7 @@ pub fn clock_words(ppm: i32) -> String {
     format!("its clock runs {percent:.1} % too {how}, and at most {most:.0} % is accepted")
 }
 
-/// Returns what is wrong with samples that are so old when they come (ms), in words.
+/// Returns the fault of samples with this age on arrival (ms), in words.
 pub fn late_words(ms: u16) -> String {
     format!("its samples are {ms} ms old when they come, longer than forces are valid")
 }
@@ -208,7 +208,7 @@ pub const fn reason_words(reason: u8) -> &'static str {
     }
 }
 
-/// Returns how often a board has restarted of late and why the last time, in words.
+/// Returns the number of recent restarts and the last reason, in words.
 pub fn restart_words(times: u8, reason: u8) -> String {
     let (why, see) = match reason {
         reset_reason::POWER_ON => ("power came back", "see to its supply"),
@@ -222,7 +222,7 @@ pub fn restart_words(times: u8, reason: u8) -> String {
     format!("it restarted {times} ({why}, reason {reason}); {see}")
 }
 
-/// Returns what is wrong with samples that come in bursts (us), in words.
+/// Returns the fault of samples that arrive in bursts (us), in words.
 pub fn burst_words(burst_us: f64) -> String {
     let ms = burst_us * 1e-3;
     format!(
@@ -231,7 +231,7 @@ pub fn burst_words(burst_us: f64) -> String {
     )
 }
 
-/// Words of [`firmware_protocol::frame::hello::Hello::reset_reason`], as from minor version 3 on.
+/// Words of [`firmware_protocol::frame::hello::Hello::reset_reason`], from minor version 3 on.
 mod reset_reason {
     pub(super) const POWER_ON: u8 = 1;
     pub(super) const BROWN_OUT: u8 = 2;
@@ -240,7 +240,7 @@ mod reset_reason {
     pub(super) const FAULT: u8 = 5;
 }
 
-/// All that is wrong at once.
+/// All faults at once.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Refusals(pub Vec<Refusal>);
 
@@ -262,7 +262,7 @@ impl Refusals {
         !self.0.iter().any(|it| matches!(it, Refusal::Calibration { .. }))
     }
 
-    /// Returns `true` if another try within seconds may succeed: all was measured, or is to come.
+    /// Returns `true` if another try within seconds may succeed.
     pub fn may_pass_soon(&self) -> bool {
         self.0.iter().all(|refusal| match refusal {
             Refusal::Silent { .. }

@@ -1,11 +1,11 @@
-//! Requests on their way to one board: asked again until they are answered.
+//! Requests to one board, repeated until they are answered.
 //!
-//! It has no clock and no link: time (us) is an argument, frames go through the caller.
+//! Contains no clock and no link: time (us) is an argument, and the caller sends the frames.
 
 use firmware_protocol::acyclic::{AcyclicReply, Operation, RETRY_MS, encode_request};
 use firmware_protocol::{MAX_FRAME, Record, key::BoardId};
 
-/// Times that a request is asked before the board counts as silent.
+/// Transmissions of a request before the board counts as silent.
 const TRIES: u8 = 8;
 
 #[derive(Clone, Copy, Debug)]
@@ -26,19 +26,19 @@ pub struct RequestChannel {
     pending: Option<PendingRequest>,
 }
 
-/// A reply that came, and how long it took.
+/// A reply, with the time of its request.
 #[derive(Clone, Copy, Debug)]
 pub struct ReceivedReply<'a> {
     pub reply: AcyclicReply<'a>,
     pub operation: Operation,
-    /// When its request was sent, if that was once only (us).
+    /// Transmission time of its request, if it was sent only once (us).
     pub sent_us: Option<u64>,
 }
 
 impl RequestChannel {
-    /// Begins without a request; the first one will have the number `first`.
+    /// Starts without a request; the first one will have the number `first`.
     ///
-    /// A restarted host begins elsewhere, or its request could be taken for its last one before.
+    /// A restarted host starts elsewhere, or its request could be taken for its last one before.
     pub const fn new(board: BoardId, first: u8) -> Self {
         Self { board, next_id: first, pending: None }
     }
@@ -47,7 +47,7 @@ impl RequestChannel {
         self.pending.is_none()
     }
 
-    /// Asks for an operation; a request that is under way is forgotten.
+    /// Requests an operation; replaces a pending request.
     pub fn ask<R: Record>(&mut self, operation: Operation, record: &R) {
         let (id, mut frame) = (self.next_id, [0; MAX_FRAME]);
         self.next_id = self.next_id.wrapping_add(1);
@@ -67,7 +67,7 @@ impl RequestChannel {
         Some(&pending.frame[..pending.len])
     }
 
-    /// Takes a frame; returns the reply if it is the one that is waited for.
+    /// Decodes a frame; returns the reply if it is the awaited one.
     pub fn take_reply<'a>(&mut self, frame: &'a [u8]) -> Option<ReceivedReply<'a>> {
         let reply = AcyclicReply::decode(frame).ok()?;
         let is_it = |pending: &mut PendingRequest| {

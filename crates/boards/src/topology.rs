@@ -1,15 +1,15 @@
-//! Which key sits where: on which line, on which board, in which slot.
+//! Position of each key: its line, board and slot.
 
 use firmware_protocol::key::{BoardId, MOST_KEYS};
 use keyboard::{KEYS, KeyIndex, KeyRange};
 
-/// A board's place among all lines, and the keys that it carries.
+/// Position of a board among all lines, and its keys.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BoardPlace {
     pub line: usize,
     pub board: BoardId,
     pub first_key: KeyIndex,
-    /// How many keys it carries in a row, `1 ..= 12`.
+    /// Number of its consecutive keys, `1 ..= 12`.
     pub n_keys: usize,
 }
 
@@ -24,13 +24,13 @@ impl BoardPlace {
         KeyRange::new(self.first_key, KeyIndex::new(last)?)
     }
 
-    /// Tells whether its keys are a board's keys, and all of the compass.
+    /// Returns `true` if the keys fit on a board and on the keyboard.
     pub const fn is_possible(&self) -> bool {
         0 < self.n_keys && self.n_keys <= MOST_KEYS && self.keys().end <= KEYS
     }
 }
 
-/// Returns eight boards of eleven keys, each on a line of its own.
+/// Returns eight boards of eleven keys, each on its own line.
 pub fn standard() -> Vec<BoardPlace> {
     let places = BoardId::all().enumerate().map(|(line, board)| {
         let first_key = u8::try_from(board.keys().start).ok().and_then(KeyIndex::new)?;

@@ -1,12 +1,12 @@
-//! Forces that were sent in vain, and why.
+//! Forces that were sent in vain, with the reason.
 
 use std::fmt;
 
-/// Forces that a board did not take.
+/// Forces that a board did not accept.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct UntakenForces {
     pub sent: u64,
-    /// Frames that it refused, and that it counted as stale.
+    /// Frames that it rejected, and that it counted as stale.
     pub refused: u32,
     pub stale: u32,
 }

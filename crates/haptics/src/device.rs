@@ -8,9 +8,8 @@ const SLIDING: f64 = 5e-3;
 
 /// A force that cancels part of a key's own mechanics.
 ///
-/// The finger moves the key's mass against its friction, damping and weight as well as the action.
-/// The motor compensates by an estimate that is late: it generates energy where the estimate is
-/// wrong, and the loop is stable with a smaller action.
+/// The motor compensates by an estimate that is late. It generates energy where the estimate is
+/// wrong, so the loop is stable only with a smaller action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeviceCompensation {
     key: KeyParameters,

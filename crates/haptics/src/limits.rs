@@ -96,7 +96,6 @@ impl ForceGate {
         self.force = force;
     }
 
-    /// Returns the largest change within `period` (s), in newtons.
     fn reach(&self, period: f64) -> f64 {
         if period.is_finite() && 0.0 < period { self.slew * period } else { 0.0 }
     }

@@ -16,7 +16,6 @@ use crate::output::{MidiSendError, Output};
 /// Time without a sign of the host after which its notes end (s).
 pub const SILENT_AFTER: f64 = 0.5;
 
-/// Knowledge about the host.
 #[derive(Clone, PartialEq, Debug)]
 enum HostSign {
     Absent,
@@ -58,8 +57,7 @@ impl<O: Output> NoteGuardian<O> {
         left
     }
 
-    /// Accepts a sign of life at time `now` (s); an interrupted host continues with its pedals and
-    /// without its notes.
+    /// Accepts a sign of life at `now` (s); an interrupted host regains its pedals, not its notes.
     pub fn hear(&mut self, now: f64) -> Result<(), MidiSendError> {
         match std::mem::replace(&mut self.sign, HostSign::Heard(now)) {
             HostSign::Interrupted(before) => {

@@ -22,8 +22,7 @@ impl Default for HeldNotes {
 }
 
 impl HeldNotes {
-    /// Follows `message`; returns `true` if it changes anything for the receiver. A note-off of a
-    /// silent note does not.
+    /// Follows `message`; `true` if it changes anything, unlike a note-off of a silent note.
     pub fn follow(&mut self, message: Message) -> bool {
         match message {
             Message::NoteOn { note, .. } => self.sounding[usize::from(note.key())] = true,
@@ -66,7 +65,6 @@ impl HeldNotes {
         *self = Self::of(both.map(|(own, other)| own.max(other)));
     }
 
-    /// Removes what `other` holds, too.
     pub(crate) fn remove(&mut self, other: &Self) {
         let both = self.to_bytes().into_iter().zip(other.to_bytes());
         *self = Self::of(both.map(|(own, other)| if 0 < other { 0 } else { own }));

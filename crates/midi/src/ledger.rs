@@ -10,7 +10,6 @@ use std::path::{Path, PathBuf};
 use crate::held::HeldNotes;
 use crate::message::Message;
 
-/// File extension of ledgers.
 const EXTENSION: &str = "notes";
 
 /// Largest number of ledgers that are read, and of names that are tried for a new one.
@@ -19,7 +18,6 @@ const MOST_LEDGERS: usize = 1000;
 /// Longest ledger (B): what is held, and the name of the port.
 const LONGEST: u64 = 4096;
 
-/// Ledger of a port that this process holds.
 #[derive(Debug)]
 pub(crate) struct NoteLedger {
     file: File,

@@ -24,19 +24,16 @@ const CHANNEL_PRESSURE: u8 = 0xD0;
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[must_use]
 pub enum Message {
-    /// The note begins to sound.
     NoteOn {
         note: Note,
         /// Speed of the strike.
         velocity: Velocity,
     },
-    /// The note is damped.
     NoteOff {
         note: Note,
         /// Speed of the release.
         velocity: Velocity,
     },
-    /// A controller has a new value.
     ControlChange {
         controller: Controller,
         /// Value, 0 ..= 127.

@@ -32,13 +32,11 @@ impl Pedal {
     }
 }
 
-/// Arrival of a pedal at another depth.
+/// Arrival of a pedal at a depth from 0 (up) to 1 (down), at a time (s).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PedalMove {
     pub pedal: Pedal,
-    /// Time of arrival (s).
     pub at: f64,
-    /// Depth from 0 (up) to 1 (down).
     pub depth: f64,
 }
 

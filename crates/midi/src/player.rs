@@ -56,7 +56,6 @@ pub enum PressureTarget {
     Key,
 }
 
-/// Reported position of a damper.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum DamperState {
     /// Its lifts are not reported, or none has happened yet.
@@ -65,7 +64,6 @@ enum DamperState {
     Down,
 }
 
-/// State of a note.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct NoteState {
     sounding: bool,

@@ -16,7 +16,6 @@ pub struct Schedule {
 
 #[derive(Clone, Copy, Debug)]
 struct ScheduledEvent {
-    /// Rank among simultaneous events.
     rank: u8,
     event: NoteEvent,
 }

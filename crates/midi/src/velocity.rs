@@ -57,8 +57,7 @@ impl VelocityCurve {
         }
     }
 
-    /// Returns the MIDI velocity of a strike at hammer `speed` (m/s); the least for a speed that is
-    /// zero, negative or not a number.
+    /// Returns the velocity of a strike at hammer `speed` (m/s); the least unless that is positive.
     pub fn velocity(self, speed: f64) -> Velocity {
         Velocity::nearest(self.level(speed))
     }
@@ -76,8 +75,7 @@ impl VelocityCurve {
 
     /// Returns the hammer speed (m/s) for `velocity`, in the middle of its interval.
     ///
-    /// The fixed curve returns the Disklavier's speed, so a performance keeps its dynamics in the
-    /// fingers.
+    /// The fixed curve returns the Disklavier's speed, to keep a performance's dynamics.
     pub fn speed(self, velocity: Velocity) -> f64 {
         let level = f64::from(velocity.get());
         match self {
@@ -89,8 +87,7 @@ impl VelocityCurve {
     }
 }
 
-/// Returns the release velocity of a damper that falls while the key rises at `speed` (m/s): a
-/// straight line from a creeping key (1) to a released one (127 at 0.4 m/s).
+/// Returns the release velocity of a key that rises at `speed` (m/s), linear to 127 at 0.4 m/s.
 pub fn release_velocity(speed: f64) -> Velocity {
     Velocity::nearest(release_level(speed))
 }

@@ -15,42 +15,32 @@ pub const REACH: f64 = 5.0;
 /// Deviations kept one by one for a repeating performance.
 pub const MOST_DEVIATIONS: usize = 1000;
 
-/// A note that should sound.
+/// A note that should sound on key 0 ..= 87: onset and damper's fall (s since the start), hammer
+/// speed (m/s), and MIDI velocities, 1 ..= 127.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ExpectedNote {
-    /// Key, 0 ..= 87.
     pub key: u8,
-    /// Time since the start of the performance (s).
     pub onset: f64,
-    /// Hammer speed at the string (m/s).
     pub speed: f64,
-    /// MIDI velocity, 1 ..= 127.
     pub velocity: u8,
-    /// Time of the damper's fall (s).
     pub end: f64,
-    /// Release velocity, 1 ..= 127, if one is wanted.
     pub release: Option<u8>,
 }
 
-/// A fall of a key's damper that happened.
+/// A fall of the damper of key 0 ..= 87 that happened, at a time (s).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Damped {
-    /// Key, 0 ..= 87.
     pub key: u8,
-    /// Time of the fall (s).
     pub at: f64,
     /// Speed of the key as a release velocity, 1 ..= 127.
     pub release: u8,
 }
 
-/// A strike that happened.
+/// A strike that happened on key 0 ..= 87, at a time (s), with MIDI velocity 1 ..= 127.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Struck {
-    /// Key, 0 ..= 87.
     pub key: u8,
-    /// Time of the strike (s).
     pub at: f64,
-    /// Strength as a MIDI velocity, 1 ..= 127.
     pub velocity: u8,
 }
 
@@ -111,10 +101,9 @@ pub struct Assessment {
     pub deviations: Vec<Deviation>,
 }
 
-/// A missed or late note, or an extra strike.
+/// A missed or late note, or an extra strike, on key 0 ..= 87.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Deviation {
-    /// Key, 0 ..= 87.
     pub key: u8,
     /// Wanted time of the note, or time of the extra strike (s since the start).
     pub at: f64,
@@ -289,8 +278,7 @@ fn micros(seconds: f64) -> u32 {
     (seconds.abs() * 1e6).round() as u32
 }
 
-/// Compares a performance with its strikes while it is played, once or repeatedly. Keeps the
-/// strikes of one pass, and the counts of earlier passes.
+/// Compares a performance with its strikes as it is played. Keeps the strikes of one pass only.
 #[derive(Clone, Debug)]
 pub struct Assessor {
     expected: Vec<ExpectedNote>,
@@ -301,7 +289,6 @@ pub struct Assessor {
     passes: u64,
     /// Strikes of the present pass, in time from its beginning.
     struck: Vec<Struck>,
-    /// Falls of dampers of the present pass, likewise.
     damped: Vec<Damped>,
     findings: NoteFindings,
 }

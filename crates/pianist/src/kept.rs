@@ -1,5 +1,4 @@
-//! A performance as bytes, to be kept: numbers of eight bytes, little-endian, lists behind their
-//! lengths.
+//! A performance as bytes: numbers of eight bytes, little-endian, lists behind their lengths.
 
 use haptics::plant::{Gesture, Touch};
 use keyboard::KEYS;

@@ -55,28 +55,25 @@ pub struct Performance {
     pub shortfalls: Vec<ShortStroke>,
     /// Notes that end early for the next stroke on their key, in order of onset, then of key.
     pub cuts: Vec<CutNote>,
-    /// Softest and loudest hammer speed at the string that every played key reaches from rest
-    /// (m/s), if each key strikes.
+    /// Softest and loudest hammer speed (m/s) of every played key from rest, if each strikes.
     pub range: Option<(f64, f64)>,
     pub pedals: Vec<PedalMove>,
     /// Time after which the performance repeats (s), later than its end; `None` if it does not.
     pub repeat: Option<f64>,
 }
 
-/// A note that is not played as written.
+/// A note on key 0 ..= 87 that is not played as written.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ShortStroke {
-    /// Key, 0 ..= 87.
     pub key: u8,
     /// Wanted time (s since the start of the performance).
     pub onset: f64,
     pub why: Shortfall,
 }
 
-/// A note that ends early so that its key can be struck again.
+/// A note that ends early so that its key, 0 ..= 87, can be struck again.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CutNote {
-    /// Key, 0 ..= 87.
     pub key: u8,
     /// Wanted time of the note (s since the start of the performance).
     pub onset: f64,

@@ -27,21 +27,16 @@ impl Default for Technique {
 /// Shortest time from an onset to the wanted fall of the damper (s).
 const SHORTEST: f64 = 0.03;
 
-/// A wanted stroke of a key.
+/// A wanted stroke of key 0 ..= 87: times of strike and damper's fall (s), hammer speed (m/s), its
+/// MIDI velocity, and a release velocity, if wanted.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PlannedStroke {
-    /// Key, 0 ..= 87.
     pub key: u8,
-    /// Wanted time of the strike (s).
     pub onset: f64,
-    /// Wanted time of the fall of the damper (s).
     pub end: f64,
-    /// Wanted hammer speed (m/s).
     pub speed: f64,
-    /// MIDI velocity of that speed.
     pub velocity: Velocity,
     pub touch: Touch,
-    /// Wanted release velocity, if there is one.
     pub release: Option<Velocity>,
 }
 

@@ -1,8 +1,8 @@
 //! Deadlines: the outcome of each tick, and the cause of a miss.
 //!
 //! A tick is in time if its forces are out by its deadline; a late one has exactly one cause. With
-//! `slack = deadline - due`, the time between due and finished is split into waking up
-//! (`woken - due`), work (its CPU time) and stolen time (`finished - woken - work`):
+//! `slack = deadline - due`, the time from due to finished is waking up (`woken - due`), work (CPU
+//! time) and stolen time (`finished - woken - work`):
 //!
 //! | condition | cause |
 //! |---|---|
@@ -10,14 +10,12 @@
 //! | otherwise, waking up took at least as long as was stolen | woken late |
 //! | otherwise | preempted |
 //!
-//! Simulated keys run on the tick's own thread, and make up for skipped ticks; their time is not
-//! work of the host and counts as stolen. Otherwise work is never less than the clock measures:
-//! time stolen by a hypervisor is excluded where the kernel accounts for it, and counts as own work
-//! where it does not, so own work is never blamed on others.
+//! Simulated keys run on the tick's own thread, and make up for skipped ticks; their time counts as
+//! stolen. Time stolen by a hypervisor is excluded from work where the kernel accounts for it, and
+//! counts as own work where it does not, so own work is never blamed on others.
 //!
-//! A tick that begins late because the one before it was still running did not oversleep: its
-//! lateness has that tick's cause. A skipped tick missed its deadline, with the cause that made
-//! the next one begin late.
+//! A tick that begins late because the one before it was still running has that tick's cause. A
+//! skipped tick missed its deadline, with the cause that made the next one begin late.
 
 use crate::time::Nanos;
 

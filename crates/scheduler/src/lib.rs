@@ -1,7 +1,7 @@
 //! 88 voices, one tick: order of execution, and handling of missed deadlines.
 //!
-//! This crate contains no equations, wire formats, threads or clocks.
-//! Time is an argument; everything outside plugs into the ports.
+//! This crate contains no equations, wire formats, threads or clocks. Time is an argument;
+//! everything outside plugs into the ports.
 //!
 //! One tick is [`tick::Scheduler::poll`]: receive, run the lanes, make safe, send, observe.
 #![no_std]

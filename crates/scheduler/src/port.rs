@@ -43,7 +43,6 @@ pub struct TickInput<'a> {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickRules {
     pub simplified: Simplifications,
-    /// Rate of the tick (Hz).
     pub hz: u32,
 }
 

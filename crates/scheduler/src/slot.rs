@@ -12,8 +12,7 @@ const OCTAVE: usize = 12;
 
 /// Returns the lane that runs `key` when there are `n_lanes`.
 ///
-/// Neighbours and octaves are on different lanes, since hands play chords and a chord should not
-/// load one lane. Lanes differ by a few keys at most.
+/// Neighbours and octaves are on different lanes, so that a chord does not load one lane.
 ///
 /// # Panics
 /// If there are no lanes.
@@ -27,8 +26,7 @@ const MAX_FAULTS: u32 = 3;
 
 /// Failed turns of a voice.
 ///
-/// Each failed turn counts, whatever lies between: a voice that fails in every turn costs its
-/// neighbours most, and one that alternates between fault and recovery is felt as a buzz.
+/// Each counts, whatever lies between: alternating fault and recovery are felt as a buzz.
 #[derive(Clone, Copy, Debug, Default)]
 struct Lockout {
     /// Ticks until all failed turns are forgotten; each counts for a second.
@@ -57,8 +55,8 @@ impl Lockout {
     }
 }
 
-/// Returns the limit to send to a voice that may take `wanted`, if `told` is too high, or too low
-/// by a quarter: a limit that drifts is not worth a call in every tick.
+/// Returns the limit to send to a voice that may take `wanted`, if `told` is too high, or a quarter
+/// too low: not every drift is worth a call.
 fn new_limit(wanted: TurnLimit, told: Option<TurnLimit>) -> Option<TurnLimit> {
     let is_near = |told: u32, wanted: u32| (wanted - wanted / 4..=wanted).contains(&told);
     let is_known = told
@@ -98,7 +96,6 @@ struct LastTurn {
     units: u32,
 }
 
-/// Source of the limit of a turn's work.
 #[derive(Clone, Copy, Debug)]
 enum SlotLimit {
     /// Units that fit into the turn's fraction of the lane's time.
@@ -155,9 +152,8 @@ impl<V> Slot<V> {
 }
 
 impl<V: Voice> Slot<V> {
-    /// Replaces the voice by one that continues from its state, with a fresh force, and returns the
-    /// old one. The new voice begins at rest if it cannot take over, or if the old one failed or
-    /// has not begun.
+    /// Replaces the voice by one that continues with a fresh force, and returns the old one. The
+    /// new one begins at rest if it cannot take over, or if the old one failed or has not begun.
     ///
     /// # Real-time
     /// As [`Voice::take_over`].
@@ -228,11 +224,11 @@ impl<V: Voice> Slot<V> {
         }
     }
 
-    /// Runs the voice for `tick`; a force that is not finite becomes a fault. A voice that failed
+    /// Runs the voice for `tick`; a force that is not finite becomes a fault.
     ///
-    /// is reset at the next sample with a fresh force; one that generated energy or fails
-    /// repeatedly is muted. A key without samples for half a second has no turns and resumes as
-    /// after a fault. The damper of a key that failed or has no samples falls, so its note ends.
+    /// A voice that failed is reset at the next sample with a fresh force; one that generated
+    /// energy or fails repeatedly is muted. A key without samples for half a second has no turns
+    /// and resumes as after a fault. The damper of a key that failed or has no samples falls.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         self.told_ran = self.ran_before(tick);

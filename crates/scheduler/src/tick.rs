@@ -80,11 +80,11 @@ impl Scheduler {
         self.overload.note_load(work.as_secs_f64() / self.timetable.period().as_secs_f64());
     }
 
-    /// Runs the newest tick that is due at `now`, if it has not been run yet. Reads no clock,
+    /// Runs the newest tick that is due at `now`, if it has not been run yet.
     ///
-    /// sleeps, allocates and locks nothing; bounded by what the ports promise. A tick whose
-    /// successor is due as well is skipped, never run to catch up: no voice sees its number, due
-    /// times do not move, and every key treats the gap as an outage (see [`crate::safety`]).
+    /// Reads no clock, sleeps, allocates and locks nothing; bounded by what the ports promise. A
+    /// tick whose successor is due as well is skipped, never run to catch up: no voice sees its
+    /// number, due times do not move, and every key treats the gap as an outage.
     pub fn poll(
         &mut self,
         now: Nanos,

@@ -86,24 +86,24 @@ pub struct VoiceInternals<'a> {
     pub memory: Option<&'a dyn Any>,
 }
 
-/// A voice's turn: what it did in one tick, and how far that can be trusted.
+/// Output of a voice in one tick, with its trustworthiness.
 #[expect(clippy::struct_excessive_bools, reason = "flags, of which one follows from another")]
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct VoiceOutput {
     /// Force on the finger, up positive (N).
     pub force: f64,
-    /// How the force goes on until the next tick; by default it is held.
+    /// Continuation of the force until the next tick; held by default.
     pub slope: KeySlope,
     pub events: Events,
     pub work: VoiceWork,
     pub fault: Option<VoiceFault>,
-    /// The voice was at rest and skipped its equations.
+    /// `true` if the voice was at rest and skipped its equations.
     pub idle: bool,
-    /// The lane did not finish, or the voice had to wait, so the last force is held.
+    /// `true` if the lane did not finish or the voice had to wait, so the last force is held.
     pub late: bool,
-    /// The voice had to wait, since its lane had no time left.
+    /// `true` if the voice had to wait, since its lane had no time left.
     pub waited: bool,
-    /// First turn after the voice was put in, reset or retuned: its force is unrelated to the last.
+    /// `true` in the first turn after a change or reset: the force is unrelated to the last one.
     pub fresh: bool,
     /// Units of work to which a turn was limited that is [`VoiceFault::Capped`] by that; 0 of others.
     pub limit: u32,
@@ -207,7 +207,7 @@ impl VoiceWork {
     }
 }
 
-/// Why a voice could not produce a force; small, `Copy`, and free of text.
+/// Reason why a voice could not produce a force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum VoiceFault {
     NotFinite,
@@ -221,9 +221,9 @@ pub enum VoiceFault {
     Diverged,
     /// The voice panicked and is not called again.
     Panicked,
-    /// The voice gave back more energy than was put into it; it is muted.
+    /// The voice returned more energy than was put into it; it is muted.
     MakesEnergy,
-    /// The voice made energy or failed repeatedly; other values or another voice revive it.
+    /// The voice generated energy or failed repeatedly; other values or another voice revive it.
     Muted,
 }
 
@@ -263,7 +263,7 @@ impl Events {
         }
     }
 
-    /// Appends the events of `later`, and what it had dropped.
+    /// Appends the events of `later`, and its dropped ones.
     pub fn extend(&mut self, later: &Self) {
         for &(at, event) in later.as_slice() {
             self.push(at, event);
@@ -271,12 +271,12 @@ impl Events {
         self.dropped += later.dropped;
     }
 
-    /// Returns whether nothing happened and nothing was dropped.
+    /// Returns `true` if nothing happened and nothing was dropped.
     pub const fn is_empty(&self) -> bool {
         self.n == 0 && self.dropped == 0
     }
 
-    /// Returns the events in the order in which they happened.
+    /// Returns the events in order of time.
     pub fn as_slice(&self) -> &[(Moment, KeyEvent)] {
         &self.list[..self.n]
     }

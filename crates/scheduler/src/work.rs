@@ -192,8 +192,7 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
 
     /// Reads the clock and grants half of the time left, if a turn of `units` fits into it.
     ///
-    /// The clock is right: if the tick took less than its costs so far, the turn will as well. No
-    /// turn takes more than its limit.
+    /// If the tick took less than its costs so far, so will the turn; no turn exceeds its limit.
     #[cold]
     fn look(&mut self, price: TurnPrice, units: u32) -> bool {
         let left = self.clock.left();

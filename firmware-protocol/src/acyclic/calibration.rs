@@ -1,5 +1,4 @@
-//! The part of a key's calibration that the board needs: the ends of the key's travel, for fault
-//! detection, and the motor's real strength. The host's file contains more.
+//! The part of a key's calibration that its board needs: travel, to detect faults, and strength.
 
 record! {
     /// Asks for the calibration of the key in a slot.

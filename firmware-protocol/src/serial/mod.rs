@@ -59,9 +59,10 @@ impl Default for Deframer {
 }
 
 impl Deframer {
-    /// Accepts the next byte; returns a frame after its last byte. An error ends at the zero that
+    /// Accepts the next byte; returns a frame after its last byte.
     ///
-    /// reports it; the next byte starts afresh. Zeros without bytes between them are ignored.
+    /// An error ends at the zero that reports it; the next byte starts afresh. Zeros without bytes
+    /// between them are ignored.
     pub fn push(&mut self, byte: u8) -> Option<Result<&[u8], FramingError>> {
         if byte != END {
             self.keep(byte);

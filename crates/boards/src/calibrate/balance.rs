@@ -42,8 +42,7 @@ impl Balance {
         Self { key, phase: BalancePhase::Sinking, empty: *empty, weight, most }
     }
 
-    /// Processes the key's position at `t` (s, m); returns the next push, or the gain: the command
-    /// to the motor per newton (1).
+    /// Processes the key's position at `t` (s, m); returns the next push or the gain (per newton).
     ///
     /// # Errors
     /// The key does not sink, rise, or sink again.

@@ -95,8 +95,8 @@ impl Bench {
         Self::watched(keybed, |_keybed| None)
     }
 
-    /// Like [`Self::new`], with `watch`, called before each exchange to end measurements. Before it
-    /// returns [`Ending::AtOnce`] it has already stopped the boards.
+    /// Like [`Self::new`], but calls `watch` before each exchange. A `watch` that returns
+    /// [`Ending::AtOnce`] has already stopped the boards.
     pub fn watched(
         keybed: Keybed<Armed>,
         watch: impl FnMut(&mut Keybed<Armed>) -> Option<Ending> + 'static,
@@ -257,7 +257,6 @@ impl Bench {
         self.keybed.send(self.tick, &self.forces, &[KeySlope::HELD; KEYS]);
     }
 
-    /// Returns the position of `key`, if known (m).
     fn position(&self, key: KeyIndex) -> Option<f64> {
         self.position_within(key, STALE_US)
     }
@@ -269,7 +268,6 @@ impl Bench {
         (age_us <= oldest_us).then_some(position)
     }
 
-    /// Returns the host's clock (s).
     fn seconds(&self) -> f64 {
         self.keybed.now_us() as f64 * 1e-6
     }

@@ -49,7 +49,6 @@ impl KeyPush {
         }
     }
 
-    /// Processes the key's position at `t` (s, m).
     pub(super) fn update(&mut self, t: f64, position: f64) -> Result<(), CalibrationFault> {
         let began = *self.began.get_or_insert_with(|| {
             (self.position, self.times, self.stand) = (position, (t, t), (position, t));
@@ -96,7 +95,6 @@ impl KeyPush {
         self.times.0 - self.stand.1
     }
 
-    /// Returns the key's depth below its rest (m).
     pub(super) fn depth(&self) -> f64 {
         self.position - self.rest
     }

@@ -49,8 +49,7 @@ pub enum Next<T> {
     Done(T),
 }
 
-/// Returns a key's calibration from measurements read by `nominal`; `gain` is the command to the
-/// motor per newton (1).
+/// Returns a key's calibration; measurements were read by `nominal`, `gain` is per newton (1).
 pub fn calibrated(
     nominal: &KeyCalibration,
     rested: &Rested,

@@ -20,12 +20,10 @@ pub struct RestMeasurement {
     range: Option<(f64, f64)>,
 }
 
-/// Rest position of a key.
+/// Rest of a key: mean of its positions, and highest less lowest position (m).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rested {
-    /// Mean of its positions (m).
     pub position: f64,
-    /// Highest less lowest position (m).
     pub spread: f64,
 }
 

@@ -63,7 +63,7 @@ impl TripMeasurement {
         Self { key, phase: TripPhase::Leaving, left_by: 0.0 }
     }
 
-    /// Processes the key's position at `t` (s, m); returns the next push, or the result.
+    /// Processes the key's position at `t` (s, m); returns the next push or the result.
     ///
     /// # Errors
     /// The key does not move, does not stop, or does not come back.

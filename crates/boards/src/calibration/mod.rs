@@ -33,12 +33,10 @@ impl Default for KeyCalibration {
     }
 }
 
-/// State of a key at a measurement.
+/// State of a key at a measurement, down positive (m, m/s).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MeasurementPoint {
-    /// Displacement, down positive (m).
     pub position: f64,
-    /// Speed, down positive (m/s).
     pub velocity: f64,
 }
 
@@ -88,11 +86,11 @@ impl KeyCalibration {
     }
 
     /// Returns the motor's command, at the measured point `here`, for a force of `force` (N) that
-    /// extrapolates with `slope` from another place.
+    /// extrapolates with `slope` from another position.
     ///
     /// The slopes on the wire are coarse, the force is not: it is moved to `here` along the sent
-    /// slopes, so that the board renders `force` exactly at its own place. Slopes beyond a frame's
-    /// range become a held force.
+    /// slopes, so that the board renders `force` exactly. Slopes beyond a frame's range become a
+    /// held force.
     pub fn sloped(
         &self,
         force: f64,

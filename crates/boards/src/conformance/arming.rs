@@ -138,7 +138,7 @@ fn drops(board: &mut TestedBoard<'_>) -> Result<String, String> {
     if taken == 0 && 0 < stale { Ok(seen) } else { Err(seen) }
 }
 
-/// Answers for a while and then stops, and measures when the flag goes up.
+/// Answers for some time, then stops, and measures when the flag is raised.
 fn watchdog(board: &mut TestedBoard<'_>) -> Result<String, String> {
     board.arm(VALID_MS)?;
     expect_flag(&board.listen(FORCES_US / 4, answer), 0)?;

@@ -23,7 +23,7 @@ const IN_TIME_US: u64 = 2_000;
 const LATE_US: u64 = 250_000;
 const TRIES: u8 = 3;
 
-/// Returns the next whole frame on `link`; what is no frame is passed over.
+/// Returns the next whole frame on `link`; skips anything else.
 fn next_frame(link: &mut dyn Link) -> Option<Vec<u8>> {
     let mut frame = [0; MAX_FRAME];
     loop {
@@ -35,8 +35,8 @@ fn next_frame(link: &mut dyn Link) -> Option<Vec<u8>> {
     }
 }
 
-/// Asks all boards on a link to introduce themselves for `patience_us`, or until nothing new
-/// arrives for a third of a second; returns the valid hellos by number.
+/// Asks all boards on a link for hellos for `patience_us`, or until none is new for a third of a
+/// second; returns the valid hellos by number.
 pub fn introductions(
     link: &mut dyn Link,
     clock: &HostClock,
@@ -215,8 +215,7 @@ impl<'l> TestedBoard<'l> {
         let _lost = self.link.try_send(&frame[..len]);
     }
 
-    /// Listens for `for_us`, and answers each frame of samples by `answer`, with the same force
-    /// (mN) on all keys.
+    /// Listens for `for_us`; answers samples by `answer`, with the same force (mN) on all keys.
     pub(super) fn listen(
         &mut self,
         for_us: u64,

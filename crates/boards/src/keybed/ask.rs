@@ -25,8 +25,7 @@ impl<S> Keybed<S> {
         let name = self.lines.get(line).map_or_else(String::new, |it| it.name.clone());
         let name = BoardName { line: name, number: board.number() };
         let mut asker = Asker { line, name, channel };
-        // If another host's last request had this number, the board repeats its answer: let that
-        // answer this ping.
+        // A board may repeat its last answer to another host's request of this number.
         let _whatever = self.ask::<_, Nothing>(&mut asker, Operation::Ping, &Nothing);
         asker
     }

@@ -37,8 +37,7 @@ impl Keybed<Calibrated> {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
     }
 
-    /// Returns the longest round trip (us) among the boards that answer: for each board, the
-    /// shortest of some trips.
+    /// Returns the longest round trip (us) of the boards that answer, each the shortest of several.
     pub fn round_trip_us(&mut self) -> Option<u64> {
         const TRIPS: usize = 8;
         let places: Vec<_> = self.places().copied().collect();
@@ -99,8 +98,7 @@ impl Keybed<Calibrated> {
     }
 }
 
-/// Discards earlier input: boards may have streamed to another host, and the losses of a full queue
-/// would look like lost frames.
+/// Discards earlier input: samples for another host, whose losses would look like lost frames.
 fn forget_the_past(line: &mut NamedLink) {
     const MOST: usize = 100_000;
     for _ in 0..MOST {
@@ -112,8 +110,7 @@ fn forget_the_past(line: &mut NamedLink) {
 
 /// Returns the agreement with each board.
 ///
-/// Boards on one line are asked to start in turns. Each continues by its own clock, so they drift
-/// apart; nothing relies on the turns, and plans assume all at once.
+/// Boards on a line start in turns but drift apart by their own clocks; plans assume all at once.
 fn phases(stage: &Calibrated, terms: Terms) -> Vec<BoardAgreement> {
     let on_line = |line| stage.boards.iter().filter(move |it| it.place.line == line);
     let known = stage.uids.iter().zip(&stage.features);

@@ -78,8 +78,8 @@ impl Keybed<Identified> {
         found.name(&self.lines)
     }
 
-    /// Checks keys and abilities of the boards against the requirements, and sets their
-    /// calibration: `calibration` returns it for a board, or the reason why it is unknown.
+    /// Checks the boards' keys and abilities, and sets their calibration. `calibration` returns it
+    /// for a board, or the reason why it is unknown.
     ///
     /// # Errors
     /// All faults of all boards.

@@ -6,8 +6,8 @@
 //!                                            Keybed<Armed>: KeyBus ◀───────┘
 //! ```
 //!
-//! Each step returns all faults at once, and a keybed that is not armed has no means to send a
-//! force. These steps wait and allocate; an armed keybed's work in a tick is in [`crate::rt`].
+//! Each step waits, allocates and returns all faults at once. Only an armed keybed can send forces;
+//! its work in a tick is in [`crate::rt`].
 
 mod armed;
 mod ask;

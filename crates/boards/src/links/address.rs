@@ -65,8 +65,7 @@ pub struct Address {
 }
 
 impl Address {
-    /// Parses `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0`, or another form of
-    /// a kind in [`LINKS`]; the error is a sentence.
+    /// Parses `serial:/dev/ttyACM0` or another form in [`LINKS`]; the error is a sentence.
     pub fn parse(text: &str) -> Result<Self, String> {
         let unknown = || {
             let forms = listed(LINKS.iter().map(|it| it.forms), " or ");

@@ -1,5 +1,4 @@
-//! A link that loses, repeats, damages and delays frames, equally in every run. Faults come from a
-//! script (at stated exchanges) or by chance from a seed.
+//! A link that loses, repeats, damages and delays frames, by a script or by chance from a seed.
 
 use std::ops::Range;
 

@@ -63,7 +63,7 @@ pub struct Framed<'a, L> {
 }
 
 impl<L: Link> Framed<'_, L> {
-    /// Sends `frame` with an inverted bit in its second byte, so that its checksum is wrong.
+    /// Sends `frame` with a wrong checksum, by an inverted bit in its second byte.
     ///
     /// The first three bytes of `frame` must not be zero: stuffing moves zeros on the stream.
     pub(super) fn send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {

@@ -1,10 +1,8 @@
-//! A wire in memory. A full queue drops and counts its oldest frame, which the newest has made
-//! worthless.
+//! A wire in memory. A full queue drops and counts its oldest frame, which is outdated.
 
 use super::{Link, QueuedFrame, RecvError, SendError};
 
-/// Both directions between a host and a board, for one thread: the owner lends out one end at a
-/// time. Allocates only when it is made.
+/// Both directions between a host and a board, for one thread. Allocates only when made.
 #[derive(Clone, Debug)]
 pub struct Loopback {
     to_board: Queue,
@@ -31,7 +29,7 @@ impl Loopback {
     }
 }
 
-/// One end of a [`Loopback`], lent.
+/// One end of a [`Loopback`].
 #[derive(Debug)]
 pub struct LoopbackEnd<'a> {
     out: &'a mut Queue,

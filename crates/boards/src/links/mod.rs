@@ -131,7 +131,6 @@ impl<L: Link + ?Sized> Link for Box<L> {
 pub enum SendError {
     /// The frame is longer than this link carries.
     TooLong {
-        /// Length of the frame (bytes).
         len: usize,
     },
     /// There is no room: earlier frames are still on their way.
@@ -144,7 +143,6 @@ pub enum SendError {
 pub enum RecvError {
     /// A frame is longer than the buffer, and lost.
     BufferTooShort {
-        /// Length of the frame (bytes).
         len: usize,
     },
     /// The bytes were no frame: checksum, stuffing, length, a lost piece, or a wrong identifier.

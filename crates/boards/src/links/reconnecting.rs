@@ -1,5 +1,5 @@
 //! A link that is reopened when it goes down, as after a cable was unplugged and replugged. A
-//! separate thread does the slow opening and closing; the tick's side only polls a ring.
+//! separate thread opens and closes; the tick only polls a ring.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::{sync::Arc, time::Duration};
@@ -69,7 +69,7 @@ impl ReconnectingLink {
         self.link.as_mut()
     }
 
-    /// Gives a link that is down away, and requests another.
+    /// Hands a link that is down to the closing thread, and requests another.
     fn lose(&mut self) {
         let Some(link) = self.link.take() else { return };
         let before = added(self.before, link.health());
@@ -91,7 +91,7 @@ impl Drop for ReconnectingLink {
 }
 
 /// # Real-time
-/// A look into a ring more than the link itself.
+/// One poll of a ring, beside the link itself.
 impl Link for ReconnectingLink {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
         let sent = self.current().map_or(Err(SendError::Down), |link| link.try_send(frame));

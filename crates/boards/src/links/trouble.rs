@@ -11,7 +11,6 @@ pub enum PortTrouble {
     Missing,
     #[error("{0}")]
     Forbidden(Obstacle),
-    /// The user has no rights, for an unknown reason.
     #[error("the system does not allow it; see its rights: ls -l {path}")]
     Refused { path: PathBuf },
     #[error("another program has it open; see which one: fuser -v {path}")]
@@ -39,7 +38,6 @@ pub enum CanTrouble {
          the address family AF_CAN: allow it there, or run outside"
     )]
     Forbidden,
-    /// The kernel has no CAN.
     #[error("this kernel has no CAN sockets; load them: sudo modprobe can-raw")]
     NoSockets,
     #[error("{0}; `letoff devices` says how it is set up")]
@@ -49,7 +47,6 @@ pub enum CanTrouble {
 /// Reason why a program cannot be used in lockstep.
 #[derive(Debug, thiserror::Error)]
 pub enum ProgramTrouble {
-    /// The host lives by the machine's clock.
     #[error(
         "it lives in virtual time only; give --virtual-time to a run, and no other kind of link"
     )]
@@ -58,7 +55,6 @@ pub enum ProgramTrouble {
     NotStarted(io::Error),
     #[error("it ended ({0}) while the host still needed it; see what it wrote on stderr")]
     Ended(ExitStatus),
-    /// An answer, or the rest of one, did not arrive.
     #[error(
         "within 5 s {came} of {announced} bytes of its answer came; see that it answers every \
          exchange with two bytes of length and so many more, and flushes its stdout"

@@ -18,7 +18,7 @@ const REQUEST: usize = REQUEST_HEAD;
 const PONG: usize = REPLY_HEAD + Pong::LEN;
 const COUNTERS: usize = REPLY_HEAD + Counters::LEN;
 
-/// Planned load of a bus.
+/// Planned load of a bus, with the rates for every key (Hz).
 #[derive(Clone, PartialEq, Debug)]
 pub struct BusPlan {
     pub name: String,
@@ -26,9 +26,7 @@ pub struct BusPlan {
     pub boards: Vec<KeyRange>,
     pub samples: SamplePacking,
     pub forces: ForcePacking,
-    /// Samples of every key (Hz).
     pub sample_rate: f64,
-    /// Forces for every key (Hz).
     pub force_rate: f64,
     pub extras: Extras,
 }
@@ -40,8 +38,8 @@ pub fn standard(boards: Range<usize>) -> Vec<KeyRange> {
     places.filter_map(BoardPlace::key_range).collect()
 }
 
-/// Traffic of a bus besides samples and forces in normal operation: requests of
-/// `rt::board_supervisor` to each armed board, and the bus time where `rt::multicast` sends forces.
+/// Traffic of a bus besides samples and forces: requests of `rt::board_supervisor` to each armed
+/// board, and the bus time where `rt::multicast` sends forces.
 ///
 /// Not planned are the second of the bring-up, repeated requests, and simulated fingers' gestures.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -81,7 +79,6 @@ struct Traffic {
     kind: TrafficKind,
     /// Length before framing (bytes).
     bytes: usize,
-    /// Rate (Hz).
     rate: f64,
 }
 

@@ -1,8 +1,7 @@
 //! Lengths of CAN frames in bits, from start of frame to the end of the pause after it.
 //!
-//! After five equal bits the sender inserts their inverse, so the length depends on the payload;
-//! minimum and maximum are given. Head and tail of a CAN FD frame are sent at the nominal rate, the
-//! rest at the data rate.
+//! After five equal bits the sender inserts their inverse, so the length depends on the payload.
+//! Head and tail of a CAN FD frame are sent at the nominal rate, the rest at the data rate.
 
 /// Unstuffed end of a classic frame: CRC delimiter, ACK, its delimiter, 7 end, 3 pause (bits).
 const CLASSIC_TAIL: usize = 13;
@@ -65,9 +64,9 @@ impl FdBits {
     /// Returns the length of a frame that switches rates, with a payload of `bytes`, one of
     /// [`firmware_protocol::can::LENGTHS`].
     ///
-    /// The bits in which the rate switches belong half to each rate; the first counts as nominal,
-    /// the last as data, which is exact if both rates sample at the same point. [`Stuffing::Most`]
-    /// puts as many stuff bits as possible into the slower part.
+    /// The bits in which the rate switches belong half to each rate. The first counts as nominal,
+    /// the last as data: exact if both rates sample at the same point. [`Stuffing::Most`] puts as
+    /// many stuff bits as possible into the slower part.
     pub const fn of(id: Id, bytes: usize, stuffing: Stuffing) -> Self {
         let head = match id {
             Id::Standard => 17,
@@ -90,7 +89,6 @@ impl FdBits {
     }
 }
 
-/// Returns the time of these bits at a rate (bit/s) (us).
 fn micros(bits: usize, rate: u32) -> f64 {
     bits as f64 * 1e6 / f64::from(rate)
 }

@@ -13,7 +13,6 @@ use super::usb::UsbRate;
 pub enum Medium {
     /// Classic CAN; a frame takes pieces of 7 bytes.
     ClassicCan {
-        /// Rate of all bits (bit/s).
         bitrate: u32,
     },
     /// CAN FD with rate switch; a frame above 64 bytes takes several.
@@ -24,7 +23,6 @@ pub enum Medium {
         data: u32,
     },
     Uart {
-        /// Rate of all bits (bit/s).
         baud: u32,
         wiring: Wiring,
     },
@@ -68,7 +66,6 @@ impl Medium {
         }
     }
 
-    /// Returns the time of an uninterrupted piece (us).
     fn piece_time(self, bytes: usize, stuffing: Stuffing) -> f64 {
         match self {
             Self::ClassicCan { bitrate } => {

@@ -14,7 +14,6 @@ struct Meter {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MeterWindow {
     pub frames: u64,
-    /// Rate of frames (Hz).
     pub rate: f64,
     /// Share of the medium's time without any stuff bits.
     pub least: f64,
@@ -83,8 +82,7 @@ impl LinkMeter {
         Self { down: self.down.since(&earlier.down), up: self.up.since(&earlier.up) }
     }
 
-    /// Returns the traffic in `seconds`: of both directions together where they take turns, else of
-    /// the busier one, like [`super::BusPlan::load`].
+    /// Returns the traffic in `seconds`: both directions if they take turns, else the busier one.
     pub fn seen(&self, seconds: f64) -> MeterWindow {
         let (down, up) = (self.down.seen(seconds), self.up.seen(seconds));
         if self.up.medium.is_shared() {

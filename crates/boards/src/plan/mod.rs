@@ -10,8 +10,7 @@
 //! | [`verdict`], [`propose`] | verdict on a plan, and an alternative |
 //! | [`meter`] | the same arithmetic over observed frames |
 //!
-//! Pure arithmetic; times in microseconds, rates in hertz, loads as shares of 1. Every load is the
-//! worst case: each payload counts as the worst one.
+//! Times in microseconds, rates in hertz, loads as shares of 1 with the worst payloads.
 
 pub mod bus;
 pub mod can;

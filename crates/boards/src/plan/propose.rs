@@ -2,9 +2,8 @@
 
 use super::{BusPlan, BusVerdict, ForcePacking, SamplePacking, verdict::WARN};
 
-/// All valid combinations of packings, by their information on each key; of two equals, first the
-/// one with a force that depends on the key's own position, then the one with a frame for each
-/// board. Slopes need velocities.
+/// All valid packings (slopes need velocities), by their information on each key. Of two equals,
+/// one whose force depends on the key's own position is first, then one for a single board.
 const RICHEST_FIRST: [(SamplePacking, ForcePacking); 10] = [
     (SamplePacking::Position24Velocity, ForcePacking::Force16Slope),
     (SamplePacking::Position16Velocity, ForcePacking::Force16Slope),
@@ -34,8 +33,7 @@ pub enum Proposal {
 impl BusPlan {
     /// Returns the capacity of this bus for the plan, with any packing.
     ///
-    /// The richest packing with room to spare, else the leanest if it is only tight, else the
-    /// leanest at lower rates, in the wanted proportion.
+    /// The richest packing with room to spare, else the leanest, if necessary at lower rates.
     pub fn propose(&self) -> Proposal {
         let roomy = self.candidates().find(|it| it.verdict() == BusVerdict::Fits);
         roomy.map_or_else(|| self.leanest(), Proposal::AsWanted)
@@ -70,8 +68,7 @@ impl BusPlan {
             .map(|(samples, forces)| Self { samples, forces, ..self.clone() })
     }
 
-    /// Returns the minimum of such buses on which the boards fit with room to spare; `None` if one
-    /// board is too much for one bus.
+    /// Returns the fewest such buses with room to spare; `None` if one board is too much for one.
     pub fn buses_needed(&self) -> Option<usize> {
         (1..=self.boards.len()).find(|buses| {
             let most = self.boards.len().div_ceil(*buses);

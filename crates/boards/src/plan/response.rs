@@ -1,11 +1,9 @@
 //! Wait of a frame on a bus without preemption where the most urgent goes first.
 
-/// A frame with a minimum interval.
+/// A frame with its minimum interval and its time on the bus (us).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Periodic {
-    /// Minimum interval (us).
     pub period: f64,
-    /// Time on the bus (us).
     pub time: f64,
 }
 

@@ -20,7 +20,6 @@ impl UsbRate {
         }
     }
 
-    /// Returns the overhead of a transaction (bytes).
     const fn overhead(self) -> usize {
         match self {
             Self::Full => 13,
@@ -28,7 +27,6 @@ impl UsbRate {
         }
     }
 
-    /// Returns the budget of one frame (bytes).
     const fn budget(self) -> usize {
         match self {
             Self::Full => 1_500,

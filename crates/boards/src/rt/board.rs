@@ -203,7 +203,6 @@ impl BoardEnd {
         self.guarded_keys().for_each(KeyGuard::unmute);
     }
 
-    /// Limits the share of the forces to send to `most`, `0 ..= 1`.
     pub(super) const fn limit_share(&mut self, most: f64) {
         self.most_share = most;
     }
@@ -364,7 +363,7 @@ impl BoardEnd {
         }
     }
 
-    /// Returns the quantized state of a key in the newest samples, as the board also knows it.
+    /// Returns the quantized state of a key in the newest samples, as known to the board.
     fn measured(
         slot: usize,
         newest: &KeySamples,

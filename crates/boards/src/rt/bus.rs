@@ -108,10 +108,8 @@ impl AcyclicHandler for IgnoreAcyclic {
 }
 
 impl KeybedBus {
-    /// Returns a bus without samples of `boards`: all keys up, samples never taken. Keys without
-    /// a board are up, and their samples do not age.
-    ///
-    /// No two boards on one line may have the same number.
+    /// Returns a bus without samples of `boards`: all keys up, samples never taken. Keys without a
+    /// board do not age. No two boards on a line may have the same number.
     pub fn new(boards: &[BoardTerms]) -> Self {
         let n_lines = boards.iter().map(|it| it.place.line + 1).max().unwrap_or(0);
         let mut lines = vec![LineEnd::default(); n_lines];

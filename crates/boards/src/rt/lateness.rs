@@ -5,8 +5,7 @@
 /// Samples over which the usual delay is averaged.
 const MEMORY: f64 = 512.0;
 
-/// Largest earliness of a sample (periods); the boards' clocks and the host's ticks slide past each
-/// other by less than one.
+/// Largest earliness (periods): clocks and ticks slide past each other by less than one.
 const MOST_EARLY: f64 = 1.5;
 
 /// Usual delay of the samples of one board.
@@ -21,8 +20,7 @@ pub struct Lateness {
 impl Lateness {
     /// Learns from a new sample that is `age_us` old; samples are `period_us` apart.
     ///
-    /// No sample can be much faster than usual. If one is, the usual delay came from a clock that
-    /// was misread, and is forgotten.
+    /// A sample that is much faster than usual shows that the clock was misread; the mean is reset.
     pub fn learn(&mut self, age_us: i32, period_us: u64) {
         if self.of(age_us) < -MOST_EARLY * period_us as f64 {
             *self = Self::default();

@@ -1,5 +1,4 @@
-//! Snapshots of lines and boards during a run: one of them in a tick, all of them once a second, so
-//! that all ticks cost the same.
+//! Snapshots of lines and boards during a run: one per tick, all once a second, at equal cost.
 
 use rtrb::{Consumer, Producer, RingBuffer};
 

@@ -2,8 +2,7 @@
 
 use firmware_protocol::sequence::{FrameOrder, SequenceNumber};
 
-/// Ticks of silence after which any number is new: well inside the half circle in which numbers
-/// can be ordered, even if two frames arrive per tick.
+/// Ticks of silence after which any number is new: 127 frames can be ordered, two per tick.
 const FORGET_TICKS: u64 = 60;
 
 /// The newest frame of one sender, and counts of all others.

@@ -44,7 +44,6 @@ const SPEED_MEMORY: f64 = 0.05;
 /// Difference of summed speeds and path for a key that rests (m).
 const SPEED_ROUNDING: f64 = 1e-6;
 
-/// Samples for a fourth difference.
 const PLACES: usize = 5;
 
 /// Plausibility check of one key.

@@ -16,7 +16,6 @@ impl Default for RoundTripHistory {
 }
 
 impl RoundTripHistory {
-    /// Adds the length of a round trip (us).
     pub(super) fn push(&mut self, length: u64) {
         self.lengths[self.n % WINDOW] = u32::try_from(length).unwrap_or(u32::MAX);
         self.n += 1;

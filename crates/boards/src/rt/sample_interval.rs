@@ -1,8 +1,7 @@
-//! Actual intervals of a board's samples, by its own clock.
+//! Actual intervals of a board's samples, by its own clock, so lateness of the host has no effect.
 //!
 //! A lost frame makes a longer interval and a gap in the numbers; a board that sends fewer frames
-//! than it confirmed leaves no gap. Lateness of the host affects neither, since the stamps are the
-//! board's.
+//! than it confirmed leaves no gap.
 
 const N: usize = 32;
 

@@ -7,11 +7,10 @@
 //!  └──────────────── or stopped, or a key failed ◀────────────────────┘
 //! ```
 //!
-//! Forces expire only from the first one after an arming: an armed board without forces renders
-//! none, so none can be stale.
+//! Forces expire only from the first one after an arming, since no force is rendered before.
 //!
-//! A board that was stopped, or has a failed key, is safe for good: that replaces any lesser
-//! reason, and only a power cycle clears it. Times are the board's own (us).
+//! A board that was stopped, or has a failed key, is safe until a power cycle: these reasons
+//! replace any lesser one. Times are the board's own (us).
 
 use firmware_protocol::{acyclic::arm::FADE_MS, frame::hello::safe_reason};
 
@@ -62,8 +61,7 @@ impl ForceInterlock {
         matches!(self.state, InterlockState::Safe { reason, .. } if latches(reason))
     }
 
-    /// Returns the time from which the last forces fade if they are removed at `now_us`, if any.
-    /// Expired forces have begun to fade before, and no force fades twice.
+    /// Returns the time from which forces removed at `now_us` fade; expired ones began before.
     const fn fades_us(&self, now_us: u64) -> Option<u64> {
         match self.state {
             InterlockState::Safe { fades_us, .. } | InterlockState::Disarmed { fades_us, .. } => {
@@ -76,7 +74,6 @@ impl ForceInterlock {
         }
     }
 
-    /// Arms the board for forces that are valid for `valid_us`.
     pub(super) const fn arm(&mut self, nonce: u32, valid_us: u64) -> Result<(), NotArmed> {
         match self.state {
             InterlockState::Disarmed { nonce: given, .. } if given == nonce => {
@@ -172,7 +169,6 @@ impl ForceInterlock {
     }
 }
 
-/// Returns `true` if a board that is safe for `reason` stays so.
 const fn latches(reason: u8) -> bool {
     matches!(reason, safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT)
 }

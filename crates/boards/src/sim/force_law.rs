@@ -1,5 +1,4 @@
-//! Force between two frames: F0 + K (s0 − s) + B (s0' − s'), where s0 continues at s0' for a
-//! limited time.
+//! Force between two frames: F0 + K (s0 − s) + B (s0' − s'); s0 moves at s0' for a limited time.
 
 use firmware_protocol::acyclic::arm::PATH_US;
 use firmware_protocol::frame::key_forces::{KeyForces, KeySlopes};

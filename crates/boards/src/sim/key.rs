@@ -11,8 +11,7 @@ use super::force_law::Law;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 
-/// Ticks that are made up after a pause of the caller: enough for the watchdog to trip and the
-/// force to fade at 8 kHz. Later skipped ticks move nothing.
+/// Ticks made up after a pause of the caller: enough to trip the watchdog and fade at 8 kHz.
 const MAX_CATCH_UP: u64 = 256;
 
 /// Longest period of a tick (s).
@@ -105,8 +104,7 @@ impl Plant {
 
     /// Returns the gesture of the tick from `t` to `t + h` (s).
     ///
-    /// A finger continues until the start of another one, which is returned in the tick before so
-    /// that it starts at its own time.
+    /// A finger continues until the next gesture, which is returned in the tick before its start.
     fn gesture(&mut self, t: f64, h: f64) -> Option<Gesture> {
         if let Some(length) = self.repeat
             && self.pass + length <= t
@@ -175,7 +173,6 @@ impl SampleProgress {
         Moment { tick, theta: 0.0 }.seconds(self.period)
     }
 
-    /// Returns the length of a tick (s).
     pub(super) const fn period(&self) -> f64 {
         self.period
     }
@@ -183,8 +180,7 @@ impl SampleProgress {
 
 /// One simulated key with the wire's quantisation, to rehearse strokes with.
 ///
-/// `receive` and `send` are those of the keybed for this key, on a link without faults. A clone
-/// can rehearse without changing the original.
+/// `receive` and `send` are those of the keybed for this key, on a link without faults.
 #[derive(Clone, Debug)]
 pub struct SimulatedKey {
     plant: Plant,

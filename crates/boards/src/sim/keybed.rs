@@ -21,7 +21,6 @@ use crate::{Error, rt::board_supervisor::ArmState, topology};
 /// Frames that a wire holds: those of one tick, and those that faults repeat or delay into it.
 const WIRE_CAPACITY: usize = 8;
 
-/// Commands for hands that may wait.
 const MOST_PRESS_REQUESTS: usize = 256;
 
 /// Maximum number of commands per tick.
@@ -105,8 +104,7 @@ impl SimulatedKeybed {
 
     /// Rearms boards in the tick in which they are found safe, as a host does with real ones.
     ///
-    /// By then safety has faded out the host's own forces, and blends them in again, so only the
-    /// pause can be felt.
+    /// By then safety has faded out the host's own forces, so only the pause can be felt.
     pub fn keep_armed(&mut self) {
         self.rearmed.get_or_insert(0);
     }

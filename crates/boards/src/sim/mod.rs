@@ -1,5 +1,4 @@
-//! Simulated boards and the keybed of eight of them. They use the wire format on links in memory,
-//! through the same bus as real boards.
+//! Simulated boards and their keybed, on links in memory through the same bus as real boards.
 
 pub mod board;
 mod force_interlock;

@@ -24,8 +24,7 @@ pub fn allowed() -> Vec<usize> {
     (0..CpuSet::MAX_CPU).filter(|cpu| set.is_set(*cpu)).collect()
 }
 
-/// Returns the processors that the kernel leaves to programs like this one (`isolcpus=`); none on
-/// most machines. Not for the tick: reads a file.
+/// Returns the processors kept free by the kernel (`isolcpus=`). Not for the tick: reads a file.
 pub fn isolated() -> Vec<usize> {
     let list = fs::read_to_string("/sys/devices/system/cpu/isolated").unwrap_or_default();
     listed(&list)

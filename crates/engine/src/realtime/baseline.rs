@@ -37,8 +37,7 @@ pub struct BaselineTiming {
 }
 
 impl BaselineTiming {
-    /// Counts the wake-ups later than the rest of a period after the usual `work` (ns):
-    /// the machine then stopped for so long that a tick under way could not be in time.
+    /// Counts wake-ups later than a period less the usual `work` (ns): too late for any tick.
     pub fn stops(&self, work: &Histogram<u64>) -> u64 {
         let spare = self.period.as_u64().saturating_sub(work.value_at_quantile(0.5));
         self.lateness.count_between(spare + 1, u64::MAX)

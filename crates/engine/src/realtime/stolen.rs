@@ -4,8 +4,7 @@ use std::fs;
 
 use rustix::param::clock_ticks_per_second;
 
-/// Returns the time that all processors together have lost since the machine started (s); `None`
-/// where the kernel does not count it. Not for the tick: reads a file.
+/// Returns the processors' lost time since boot (s), if counted. Not for the tick: reads a file.
 pub fn stolen() -> Option<f64> {
     stolen_ticks(&fs::read_to_string("/proc/stat").ok()?)
         .map(|ticks| ticks as f64 / clock_ticks_per_second() as f64)

@@ -42,8 +42,7 @@ pub enum WantedPolicy {
 impl WantedPolicy {
     pub const FIFO: Self = Self::Fifo(DEFAULT_PRIORITY);
 
-    /// Returns `SCHED_DEADLINE` for a tick of this period and three quarters of it: the rest is
-    /// left to others on a machine with one processor.
+    /// Returns `SCHED_DEADLINE` with three quarters of `period`; the rest is left to others.
     pub const fn deadline(period: Nanos) -> Self {
         Self::Deadline { runtime: Nanos::new(period.as_u64() / 4 * 3), period }
     }
@@ -59,8 +58,7 @@ pub struct SchedulingPolicy {
 }
 
 impl ThreadPlan {
-    /// Requests the plan of `lane` for the calling thread; the tick's own lane is 0. Returns the
-    /// policy that the system reports afterwards, not the requested one.
+    /// Requests the plan of `lane` (0 is the tick's own); returns the policy reported afterwards.
     pub fn ask(&self, lane: usize) -> SchedulingPolicy {
         let _set = set_current_timer_slack(Some(SLACK));
         let mut advice = Vec::new();

@@ -4,12 +4,10 @@ use instruments::Playable;
 use pode::input::Cubic;
 use pode::{Motion, Signal as _};
 
-/// Constants of a coupling, at the key's front.
+/// Constants of a coupling at the key's front: stiffness (N/m) and damping (N s/m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CouplingConstants {
-    /// (N/m)
     pub stiffness: f64,
-    /// (N s/m)
     pub damping: f64,
 }
 

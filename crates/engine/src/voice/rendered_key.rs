@@ -43,13 +43,11 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     pressure: PressureTracker,
     rest: RestDetector<M::State>,
     energy: EnergyChecks<M>,
-    /// Mode and state at rest with the key up; `None` after a change of values, since the search
-    /// takes longer than a tick where many voices begin at once.
+    /// Rest with the key up; `None` after a change of values, since a search takes too long.
     up: Option<(M::Mode, M::State)>,
     has_failed: bool,
     simplified: Simplifications,
     revision: u32,
-    /// The model's input over the last tick.
     signal: Cubic,
     switches: Switches,
 }
@@ -110,9 +108,7 @@ pub struct VoiceSettings {
 /// Gains between a key and its model, beyond the model's own scale.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Gains {
-    /// Factor of the key's motion.
     pub motion: f64,
-    /// Factor of the model's force.
     pub force: f64,
 }
 
@@ -166,9 +162,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Returns mode and state at rest under the constant `input`, and the displacement from there
-    /// to the start of the model's key. The search takes as long as hundreds of steps. After a
-    /// failed turn the model begins with its key up instead, and follows the player's within 0.3 s.
+    /// Returns mode and state at rest under `input`, and the displacement to the model key's start.
+    /// Takes hundreds of steps; after a failed turn the model begins with its key up instead.
     fn rest_under(&self, input: &Motion) -> (M::Mode, M::State, f64) {
         match self.up {
             Some((mode, state)) if self.has_failed || *input == Motion::default() => {

@@ -87,7 +87,6 @@ impl<S: State> RestDetector<S> {
     }
 }
 
-/// Time at rest before a voice sleeps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) enum SleepTime {
     #[default]
@@ -111,9 +110,8 @@ fn is_near<S: State>(coordinates: usize, (then, now): (&S, &S)) -> bool {
     pairs.fold(true, |is_near, (then, now)| is_near & ((now - then).abs() <= LITTLE))
 }
 
-/// Returns `true` if a coordinate or a speed moved from `before` to `after`, `h` (s) later. Both
-/// are judged by their rate, since the motion in a tick depends on its length. A coordinate at the
-/// end of a swing has no speed, and one in the middle no acceleration.
+/// Returns `true` if a coordinate or a speed moved from `before` to `after`, `h` (s) later, by
+/// rate. A coordinate has no speed at the end of a swing, and no acceleration in its middle.
 fn moves<S: State>(coordinates: usize, (before, after): (&S, &S), h: f64) -> bool {
     let pairs = before.entries().iter().zip(after.entries()).enumerate();
     let limit = |index| if index < coordinates { STILL_SPEED } else { STILL_ACCELERATION };

@@ -1,16 +1,14 @@
 //! A constant-acceleration Kalman filter.
 //!
-//! With one sample per period the filter has a steady gain, found at construction: an update is
-//! three predictions and three corrections. An early or late sample has another weight, so the
-//! covariance is followed until it is steady again; the steady gain would be unstable where every
-//! third sample is late.
+//! With one sample per period the filter has a steady gain, found at construction. An early or late
+//! sample has another weight, so the covariance is followed until it is steady again; the steady
+//! gain would be unstable where every third sample is late.
 
 use nalgebra::Matrix3;
 
 use super::{Estimator, KeyMotion, assert_positive};
 
-/// Maximum Riccati iterations. Convergence takes about ten times the filter's memory, in samples,
-/// so only a memory of more than ten thousand samples reaches it.
+/// Maximum Riccati iterations, reached only by a memory of more than ten thousand samples.
 const MAX_ITERATIONS: usize = 200_000;
 
 /// Relative change of the gain that counts as converged: some hundred roundings.
@@ -67,10 +65,8 @@ impl Kalman {
     /// Jerk density of a played key (m²/s⁵): 3e3 m/s³ that change every 10 ms (estimate).
     pub const KEY_JERK_DENSITY: f64 = 1e5;
 
-    /// Creates a filter at rest at zero. Not for the tick: iterates the Riccati recursion. Samples
-    /// come each `period` (s), rounded to `quantum` (m). `jerk_density` is the power spectral
-    /// density of the jerk that drives the key (m²/s⁵), larger for a faster and noisier estimate
-    /// ([`Self::KEY_JERK_DENSITY`] is a start).
+    /// Creates a filter at rest at zero; not for the tick. Samples come each `period` (s), rounded
+    /// to `quantum` (m). A larger `jerk_density` (m²/s⁵) is faster and noisier.
     ///
     /// # Panics
     /// Unless all three are finite and positive.
@@ -209,7 +205,6 @@ fn is_regular(periods: f64) -> bool {
 }
 
 impl KalmanGains {
-    /// Converts gains from units of the period `h` (s) to seconds.
     fn per_seconds(self, h: f64) -> Self {
         let [position, velocity, acceleration] = self.position;
         Self {

@@ -18,14 +18,11 @@ pub use filtered_difference::FilteredDifference;
 pub use kalman::Kalman;
 pub use levant::Levant;
 
-/// Motion of a key's front at the latest sample, down positive.
+/// Motion of a key's front at the latest sample, down positive (m, m/s, m/s²).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KeyMotion {
-    /// Position (m).
     pub position: f64,
-    /// Velocity (m/s).
     pub velocity: f64,
-    /// Acceleration (m/s²).
     pub acceleration: f64,
 }
 

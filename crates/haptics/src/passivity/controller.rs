@@ -10,20 +10,18 @@ const KEPT: f64 = 0.75;
 
 /// Audits the energy that a key and its action exchange, and limits forces to it.
 ///
-/// An action absorbs the energy that it stores and dissipates by its equations; its motor absorbs
-/// force times displacement from the hand, with a force that is held and late. Sampling generates
-/// or loses the difference. The *credit* is the energy that the hand may get: its input that was
-/// not returned, but no more than the action stores and the tank holds, less the sampling energy of
-/// the newest ticks. A force held over a tick gives energy to the hand if the key moves along with
-/// it. That motion is bounded by the motion in the previous tick and the largest acceleration, and
-/// by the key's ends. So the largest force is known that cannot return more than the credit, and a
-/// larger one is cut to it. Over any motion the hand gets no more than its input and the tank, if
-/// the key keeps within that acceleration and the motor renders each force in time.
+/// The action absorbs energy by its equations, the motor by a force that is held and late: sampling
+/// generates or loses the difference. The *credit* is the energy that the hand may get: its input
+/// that was not returned, but no more than the action stores and the tank holds, less the sampling
+/// energy of the newest ticks. A force held over a tick gives energy to the hand if the key moves
+/// along with it. That motion is bounded by the motion in the previous tick, the largest
+/// acceleration, and the key's ends. So the largest force is known that cannot return more than the
+/// credit, and a larger one is cut to it. The hand gets no more than its input and the tank if the
+/// key keeps within that acceleration and the motor renders each force in time.
 ///
 /// A spring that begins slowly needs the tank: a small one makes its first millimetre soft.
 ///
-/// The controller of `[HR02]` dissipates energy after it was generated; this one prevents it. The
-/// tank is that of `[FSR11]`.
+/// The controller of `[HR02]` dissipates generated energy; this one prevents it. Tank: `[FSR11]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassivityController {
     /// Energy that may be returned beyond the stored energy (J).

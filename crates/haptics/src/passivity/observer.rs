@@ -84,7 +84,6 @@ mod tests {
         PassivityObserver::new(EnergyBound { stored, leak: 0.0 }, H)
     }
 
-    /// Returns a position of 3 Hz, 5 mm to both sides of 5 mm.
     fn swinging(tick: u64) -> f64 {
         5e-3 - 5e-3 * (OMEGA * tick as f64 * H).cos()
     }

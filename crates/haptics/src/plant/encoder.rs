@@ -19,8 +19,7 @@ impl Encoder {
         self.quantum
     }
 
-    /// Returns the count nearest to `position` (m); stops at the ends of `i32`. Rounding, not
-    /// flooring, keeps [`Self::position`] free of bias.
+    /// Returns the count nearest to `position` (m), saturated; rounding, not flooring, has no bias.
     pub fn counts(&self, position: f64) -> i32 {
         #[expect(clippy::cast_possible_truncation, reason = "saturation is the contract")]
         let counts = (position / self.quantum).round() as i32;

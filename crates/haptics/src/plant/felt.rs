@@ -1,13 +1,10 @@
 //! A felt: the unilateral spring and damper that ends a key's travel.
 
-/// One felt of a key.
+/// One felt: position at first contact (m), stiffness (N/m), damping while compressed (N s/m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt {
-    /// Key position at first contact (m).
     pub position: f64,
-    /// Stiffness (N/m).
     pub stiffness: f64,
-    /// Damping while compressed (N s/m).
     pub damping: f64,
 }
 
@@ -31,9 +28,8 @@ impl FeltSide {
 /// Force of a felt over one substep, as a function of the velocity at its end.
 ///
 /// With the compression `d` at the start and the velocity `w` into the felt at the end, it pushes
-/// back with max(0, k (d + h w) + c w): spring at the end of the substep, damper only if it is
-/// already compressed. As the gradient of a convex energy at the end, it can take energy from the
-/// key but never returns more than it stored.
+/// back with max(0, k (d + h w) + c w): spring at the end of the substep, damper only if already
+/// compressed. As the gradient of a convex energy, it never returns more than it stored.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Resistance {
     sign: f64,
@@ -59,9 +55,8 @@ impl Resistance {
         -self.sign * self.preload.max(0.0)
     }
 
-    /// Returns the velocity `v` that solves inertia · v = impulse + h · push(v), in (m/s).
-    /// `inertia` (kg) includes other resistances to the velocity, `impulse` (N s) all that does not
-    /// depend on it. The right side never rises with `v`, so there is exactly one solution.
+    /// Returns the only velocity `v` (m/s) with inertia · v = impulse + h · push(v), where push
+    /// never rises with `v`. `inertia` (kg) and `impulse` (N s) contain all other forces.
     pub(super) fn solve(&self, inertia: f64, impulse: f64, h: f64) -> f64 {
         let free = impulse / inertia;
         if self.preload + self.slope * self.sign * free <= 0.0 {

@@ -34,18 +34,13 @@ impl HandCommand {
     pub const AWAY: Self = Self::Weight(0.0);
 }
 
-/// Constants of a finger.
+/// Constants of a finger: mass (kg), damping (N s/m), stiffness (N/m), and those of its pulp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FingerParameters {
-    /// Moving mass (kg).
     pub mass: f64,
-    /// Damping towards the commanded velocity (N s/m).
     pub damping: f64,
-    /// Stiffness towards the commanded position (N/m).
     pub stiffness: f64,
-    /// Stiffness of the pulp (N/m).
     pub pulp_stiffness: f64,
-    /// Damping of the pulp (N s/m).
     pub pulp_damping: f64,
     pub grasp: Grasp,
 }
@@ -77,8 +72,7 @@ impl FingerParameters {
     /// Limp corner of fingers; an estimate.
     pub const LIMP: Self = Self { damping: 0.3, stiffness: 20.0, ..Self::ORDINARY };
 
-    /// Returns the finger at `speed` (m/s): unchanged up to 3 m/s, then stiffer, up to 3.25 times
-    /// at 6 m/s: in forte the arm stiffens it.
+    /// Returns the finger at `speed` (m/s), stiffened by the arm from 3 to 6 m/s, up to 3.25 times.
     ///
     /// # Real-time
     /// No division, no loop.
@@ -100,7 +94,7 @@ impl Default for FingerParameters {
     }
 }
 
-/// State of a fingertip, down positive.
+/// State of a fingertip, down positive (m, m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finger {
     parameters: FingerParameters,
@@ -120,12 +114,10 @@ impl Finger {
         Self { parameters, braced: parameters, position: -AWAY, velocity: 0.0 }
     }
 
-    /// Returns the position of the fingertip (m), down positive.
     pub const fn position(&self) -> f64 {
         self.position
     }
 
-    /// Returns the velocity of the fingertip (m/s).
     pub const fn velocity(&self) -> f64 {
         self.velocity
     }

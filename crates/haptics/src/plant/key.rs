@@ -2,12 +2,10 @@
 
 use super::felt::{Felt, FeltSide, Resistance};
 
-/// Constants of a key, all at its front.
+/// Constants of a key at its front: moving mass (kg), viscous damping (N s/m), forces and felts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeyParameters {
-    /// Moving mass (kg).
     pub mass: f64,
-    /// Viscous damping (N s/m).
     pub damping: f64,
     /// Friction while moving (N).
     pub coulomb: f64,
@@ -15,13 +13,11 @@ pub struct KeyParameters {
     pub stiction: f64,
     /// Constant load (N), up positive: above zero the unpowered key rises to its rest.
     pub weight: f64,
-    /// Felt under the raised key.
     pub rest_stop: Felt,
-    /// Felt that ends the dip.
     pub bottom_stop: Felt,
 }
 
-/// State of a key's front, down positive.
+/// State of a key's front, down positive (m, m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeyFront {
     parameters: KeyParameters,
@@ -47,7 +43,6 @@ impl KeyFront {
         self.parameters.bottom_stop.position
     }
 
-    /// Returns the position (m).
     pub const fn position(&self) -> f64 {
         self.position
     }
@@ -58,8 +53,7 @@ impl KeyFront {
     }
 
     /// Advances by one substep `h` (s) under the outer `force` (N), up positive. Semi-implicit
-    /// Euler, order 1: forces at the old position, damping and felts at the new velocity, then the
-    /// position with the new velocity. Without outer force, energy never grows.
+    /// Euler of order 1; without outer force, energy never grows.
     ///
     /// # Real-time
     /// Two divisions; no loop.

@@ -72,7 +72,6 @@ impl Motor {
 /// A first-order lag that remembers its last exponential.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Lag {
-    /// Bandwidth (rad/s).
     bandwidth: f64,
     /// Step of `share` (s).
     h: f64,

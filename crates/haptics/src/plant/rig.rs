@@ -27,9 +27,8 @@ pub struct RigParameters {
 }
 
 impl RigParameters {
-    /// Rig of the paper's section 6: an encoder of 50 lines an inch, about 3 inches for 45 degrees,
-    /// voice coils, a hand that holds the key "on both top and bottom". `[GC93]` The rest is
-    /// estimated (E).
+    /// Rig of the paper's section 6 `[GC93]`: an encoder of 50 lines an inch (3 inches for 45
+    /// degrees), voice coils, a hand that grips the key. The rest is estimated (E).
     pub const PAPER: Self = Self {
         // E: a coil, its carriage and a grip on linear bearings.
         key: KeyParameters {
@@ -74,11 +73,10 @@ impl Default for RigParameters {
                 // S: a real key's friction is 0.118 N; ours should not add more.
                 coulomb: 0.10,
                 stiction: 0.12,
-                // E: a return spring, as in every keyboard. Under 0.2, 0.35 and 0.5 N of the motor
-                // the key rises, from its bottom to 1 mm below its rest, in 49, 41 and 36 ms; a
-                // real one takes 30 to 45 (S: 35). Under the grands' models, with their moving
-                // mass, it takes 75 to 120. With 0.4 N it takes a tenth less, but the paper's
-                // undamped springs then strike with no finger at the keys.
+                // E: a return spring. Under 0.2, 0.35 and 0.5 N of the motor the key rises, from
+                // its bottom to 1 mm below its rest, in 49, 41 and 36 ms; a real one takes 30 to 45
+                // (S: 35). Under the grands' models it takes 75 to 120. With 0.4 N it takes a tenth
+                // less, but the paper's undamped springs then strike with no finger at the keys.
                 weight: 0.3,
                 // Position 0 under the return spring.
                 rest_stop: felt(0.3 / 60e3),
@@ -146,9 +144,10 @@ impl KeyRig {
         }
     }
 
-    /// Advances by one tick, from `t` to `t + h` (s), with `force` (N) on the finger, up positive,
-    /// commanded throughout. The finger is present while `gesture` is given and active; a gesture
-    /// with another start places a new finger at its command. An invalid `h` only sets the force.
+    /// Advances by one tick, from `t` to `t + h` (s), with `force` (N) on the finger, up positive.
+    ///
+    /// The finger is present while `gesture` is active; one with another start places a new finger
+    /// at its command. An invalid `h` only sets the force.
     ///
     /// # Real-time
     /// One substep per [`MAX_SUBSTEP`] or part of it in `h`, at most [`MAX_SUBSTEPS`].
@@ -241,8 +240,7 @@ impl KeyRig {
             && self.key.holds(self.motor.force() - self.weight)
     }
 
-    /// Runs one tick from `t` that lasts `h` (s): `touch` moves the finger over each substep, and
-    /// returns the contact force during it (N).
+    /// Runs one tick from `t` over `h` (s); `touch` moves the finger and returns its force (N).
     fn tick(&mut self, (t, h): (f64, f64), force: f64, touch: impl Fn(&mut Self, f64, f64) -> f64) {
         self.motor.command(force);
         if !h.is_finite() || h <= 0.0 {

@@ -12,9 +12,8 @@ use crate::message::Message;
 
 /// Sends to a MIDI port at once; the times of messages only pace the reconnection.
 ///
-/// A port that vanishes, however briefly, is connected again, at most one attempt a second. It
-/// first gets note-offs for what it may still sound. Until a loss is noticed, within a second,
-/// messages are lost.
+/// A port that vanishes is connected again, at most one attempt a second. It first gets note-offs
+/// for what it may still sound. Until a loss is noticed, within a second, messages are lost.
 #[derive(Debug)]
 pub struct MidiPort(ReconnectingPort<System>);
 

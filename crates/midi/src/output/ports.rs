@@ -8,7 +8,6 @@ pub(crate) const CLIENT: &str = "letoff";
 /// Reason why there is no connection to a MIDI port.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum Unavailable {
-    /// The kernel's sequencer is not loaded.
     #[error(
         "there is no MIDI on this machine, /dev/snd/seq does not exist: load it with \
          `sudo modprobe snd-seq`, or pass /dev/snd into the container"
@@ -27,14 +26,12 @@ pub enum Unavailable {
         wanted: String,
         existing: Vec<String>,
     },
-    /// The port exists but rejects the connection.
     #[error("MIDI port \"{port}\" cannot be connected, {reason}: close what else uses it")]
     Refused {
         port: String,
         /// Message of the system.
         reason: String,
     },
-    /// The device or FIFO cannot be written to.
     #[error("no MIDI can be written to {path}: {reason}")]
     NoDevice {
         path: String,

@@ -25,8 +25,7 @@ pub trait MidiSystem {
     /// Returns `true` if the destination exists: some systems accept messages to a missing port.
     fn is_there(&mut self) -> bool;
 
-    /// Returns the full name of the destination, also known to other processes; `None` for a port
-    /// of our own, to which programs connect later.
+    /// Returns the destination's full name, as known to other processes; `None` for our own port.
     fn destination(&self) -> Option<String>;
 }
 
@@ -36,7 +35,6 @@ enum PortState {
     Down,
 }
 
-/// Known state of a note at the destination.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Sound {
     Silent,
@@ -49,13 +47,11 @@ enum Sound {
 #[derive(Debug)]
 pub struct ReconnectingPort<B> {
     backend: B,
-    /// Name of the destination, for people.
     name: String,
     link: PortState,
     /// Time of the latest attempt to connect or check (s); `None` before.
     looked: Option<f64>,
     sounds: [Sound; KEYS],
-    /// Wanted depths of the pedals.
     pedals: PedalValues,
     /// Notes that the destination may sound, for the next process that opens the port.
     ledger: Option<NoteLedger>,

@@ -35,8 +35,7 @@ pub struct ScoreMark {
     pub data: Vec<u8>,
 }
 
-/// Division, tempo map, signatures and names of a performance file, for a recording whose bars meet
-/// those of the piece.
+/// Division, tempo map, signatures and names of a performance file, for a recording in its bars.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ScoreTiming {
     /// Ticks per quarter note of the piece.
@@ -66,9 +65,8 @@ impl ScoreTiming {
         Self { division: division.clamp(1, MAX_DIVISION), lead_in: 0, marks }
     }
 
-    /// Begins the piece later by the least number of whole bars that takes `least` (s), with the
-    /// tempo and time signature of its start; returns their length (s). A bar that is longer than
-    /// 15 s, or no whole number of ticks, is not waited for.
+    /// Begins the piece later by the fewest bars that take `least` (s), as at its start; returns
+    /// their length (s). A bar of more than 15 s, or of fractional ticks, is not waited for.
     #[must_use]
     pub fn begin_after(&mut self, least: f64) -> f64 {
         let tick =
@@ -131,8 +129,7 @@ impl ScoreTiming {
     }
 }
 
-/// Returns the length of a quarter note (s) of a tempo event; `None` for zero, after which all
-/// events would be at one time.
+/// Returns the length of a quarter note (s) of a tempo event; `None` for zero, which stops time.
 pub fn quarter(data: &[u8]) -> Option<f64> {
     let [high, middle, low] = *data.first_chunk::<3>()?;
     let us = u32::from_be_bytes([0, high, middle, low]);

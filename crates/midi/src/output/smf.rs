@@ -13,7 +13,6 @@ use super::score_timing::ScoreTiming;
 use super::{MidiSendError, Output};
 use crate::message::{Controller, Message};
 
-/// Text at the start of a file.
 const PROGRAM: &[u8] = concat!("Played by Letoff ", env!("CARGO_PKG_VERSION")).as_bytes();
 
 /// Longest pause between two events (ticks), about 1.5 h; longer ones are split.
@@ -88,8 +87,7 @@ impl Output for Smf {
     }
 }
 
-/// Encodes a file with `messages`, which are in order of time, and the marks of `timing` up to the
-/// last message.
+/// Encodes a file with `messages`, in order of time, and the marks of `timing` up to the last one.
 fn encode(messages: &[(f64, Message)], timing: &ScoreTiming) -> io::Result<Vec<u8>> {
     let map = timing.tempo_map();
     let program = (0, TrackEventKind::Meta(MetaMessage::Text(PROGRAM)));

@@ -13,7 +13,6 @@ pub fn ports() -> Result<Vec<String>, Unavailable> {
     Ok(named(&open()?).into_iter().map(|(name, _)| name).collect())
 }
 
-/// Port to connect to.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum WantedPort {
     /// First port whose name contains this text, ignoring case.

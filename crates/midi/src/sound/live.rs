@@ -22,8 +22,7 @@ const RING: usize = 4096;
 /// Largest period (frames); a device with more is served in parts.
 const LARGEST: usize = 4096;
 
-/// Slip of a clock estimate towards later times, in seconds per second: more than the difference of
-/// two crystals.
+/// Slip of a clock estimate towards later times (s/s): more than the difference of two crystals.
 const DRIFT: f64 = 1e-3;
 
 /// Longest time in which notes may die away at the end.
@@ -55,9 +54,7 @@ impl ClockOrigin {
 #[derive(Debug, Default)]
 pub struct SoundCounters {
     callbacks: AtomicU64,
-    /// Callbacks that took more than half of a period.
     long: AtomicU64,
-    /// Messages that came later than their frame.
     late: AtomicU64,
     is_silent: AtomicBool,
     is_lost: AtomicBool,

@@ -7,7 +7,7 @@ use rustysynth::{Synthesizer, SynthesizerSettings};
 
 use super::{Font, SoundError};
 
-/// Frames between two looks of a synthesizer at its messages.
+/// Frames between two polls of a synthesizer for messages.
 const BLOCK: usize = 64;
 
 /// Status of a program change.
@@ -16,7 +16,6 @@ const PROGRAM: i32 = 0xC0;
 /// Channel of drums, counted from 0 as all channels.
 const DRUMS: u8 = 9;
 
-/// The last channel.
 const LAST: u8 = 15;
 
 /// Program of General MIDI of each key, 1 ..= 128.
@@ -35,7 +34,6 @@ pub struct Sampler {
     phases: Vec<Synthesizer>,
     /// Channel of each key; keys of one program share one.
     channels: [u8; KEYS],
-    /// Frames rendered so far.
     now: u64,
     part: [Vec<f32>; 2],
 }
@@ -115,8 +113,7 @@ impl Sampler {
     }
 }
 
-/// Returns a channel for each program, not that of drums. Programs beyond the channels share the
-/// last.
+/// Returns a channel for each program, except that of drums; excess programs share the last.
 fn channels(programs: &Programs) -> [u8; KEYS] {
     let mut known = Vec::new();
     programs.map(|program| {

@@ -12,7 +12,6 @@ use super::{Font, Programs, Sampler, SoundError};
 /// Frames per second.
 const RATE: u32 = 48_000;
 
-/// Frames that are rendered at once.
 const CHUNK: usize = 480;
 
 /// Longest sound after the last message (frames).

@@ -60,20 +60,17 @@ pub struct PlayOutcome {
     pub damper_fall: Option<DamperFall>,
 }
 
-/// The end of a tone: the damper meets its string.
+/// The end of a tone: the damper meets its string, as the key rises at a speed (m/s).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DamperFall {
     pub at: f64,
-    /// Speed of the rising key (m/s).
     pub speed: f64,
 }
 
-/// A meeting of hammer and string.
+/// A meeting of hammer and string: time (s), and hammer speed (m/s).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Strike {
-    /// Time of the strike (s).
     pub at: f64,
-    /// Hammer speed at the string (m/s).
     pub speed: f64,
 }
 

@@ -51,7 +51,6 @@ const LONG_GAP: f64 = 0.4;
 const UNHEARD: f64 = 20e-3;
 
 impl Practice<'_> {
-    /// Returns the price of the first strike for `wanted`.
     pub(super) fn price(&self, wanted: &PlannedStroke, strike: Option<Strike>) -> f64 {
         let Some(strike) = strike else { return MISSING };
         let level = self.curve.level(strike.speed).clamp(0.0, 128.0);

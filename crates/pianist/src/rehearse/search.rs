@@ -41,8 +41,7 @@ const MISS_STRIDE: f64 = 0.4;
 /// Depth at which an action lets off (m), for a first guess.
 const LET_OFF: f64 = 9e-3;
 
-/// Time from the deepest start to the strike, as a fraction of that from rest: see
-/// [`Gesture::passes`].
+/// Time from the deepest start to the strike over that from rest, see [`Gesture::passes`].
 const SHORTEST_WAY: f64 = 0.25;
 
 /// Halvings of the time within which a stroke starts: to below 1 us of 0.5 s.
@@ -81,7 +80,6 @@ pub(super) struct Try<R> {
     pub(super) take: Take<R>,
     pub(super) gesture: Gesture,
     pub(super) strike: Option<Strike>,
-    /// See [`super::price`].
     pub(super) price: f64,
     pub(super) n_extra: usize,
     pub(super) n_tries: u32,
@@ -101,7 +99,6 @@ impl<R> Try<R> {
     }
 }
 
-/// Work for one stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum SearchEffort {
     /// Corrections of a guess: enough for a key that is nearly at rest.
@@ -273,8 +270,7 @@ impl<'a> StrokeSearch<'a> {
         Some(Try { n_tries: n_tries + n, ..best })
     }
 
-    /// Returns the best stroke that starts at a time (s) and depth (m) and strikes in time, with the
-    /// number of tries.
+    /// Returns the best stroke from a start (s) and depth (m) that strikes in time, and the tries.
     fn in_time<R: Rehearsal>(
         &mut self,
         take: &Take<R>,
@@ -319,9 +315,8 @@ impl<'a> StrokeSearch<'a> {
         }
     }
 
-    /// Sets the start so that the strike is expected at `at` (s), or as early as possible. A later
-    /// start finds the key higher and has a longer path, so it is between the earliest and that
-    /// from rest.
+    /// Sets the start so that the strike is expected at `at` (s), or as early as possible: between
+    /// the earliest start and that from rest, since a later one finds the key higher.
     fn aim<R: Rehearsal>(&mut self, take: &mut Take<R>, at: f64) {
         let from_rest = at - self.delay_from(0.0);
         take.record(from_rest, |_| false);
@@ -381,7 +376,6 @@ impl<'a> StrokeSearch<'a> {
         })
     }
 
-    /// Returns `true` if a try needs no correction.
     fn is_good<R>(&self, tried: &Try<R>) -> bool {
         let is_in_time = |it: &Strike| (it.at - self.wanted.onset).abs() <= ONSET_TOLERANCE;
         self.is_level(tried.strike) && tried.strike.as_ref().is_some_and(is_in_time)
@@ -414,8 +408,7 @@ impl<'a> StrokeSearch<'a> {
         }
     }
 
-    /// Returns the time from a start at `depth` (m) to the strike (s): that of a key at rest, less
-    /// the path that the finger then has behind it.
+    /// Returns the time (s) from a start at `depth` (m) to the strike, less than that from rest.
     fn delay_from(&self, depth: f64) -> f64 {
         let way = self.way(depth) / self.way(0.0);
         way * self.practice.tables.of(self.touch).delay(self.bracket.guess.exp())

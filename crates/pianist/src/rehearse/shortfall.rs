@@ -84,7 +84,7 @@ impl Shortfall {
     }
 }
 
-/// Yes if the key was at rest long before a stroke.
+/// Certainty that the key was at rest long before a stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum IsFree {
     Yes,

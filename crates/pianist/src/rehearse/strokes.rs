@@ -161,12 +161,10 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
     }
 }
 
-/// Search for the release that serves a next stroke.
 struct RoomSearch<'a, R> {
     wanted: &'a PlannedStroke,
     /// Best try without an earlier release.
     found: Try<R>,
-    /// Best earlier release.
     best: Option<Room<R>>,
     /// Latest and earliest release, in steps before the stroke.
     steps: (u32, u32),
@@ -191,13 +189,11 @@ impl<'a, R: Rehearsal> RoomSearch<'a, R> {
         Self { wanted, found, best: None, steps: (steps(latest), steps(earliest)), rest }
     }
 
-    /// Returns the price of the best way so far.
     fn price(&self) -> f64 {
         self.best.as_ref().map_or(self.found.price.min(MISSING) - WORTHWHILE, |it| it.price)
     }
 
-    /// Tries what served an equal stroke, then strokes from rest, then strokes that turn the key
-    /// half-way up.
+    /// Tries what served an equal stroke, then starts from rest, then a key turned half-way up.
     fn search(&mut self, strokes: &mut KeyStrokes<'a, R>, last: &mut Last<R>) {
         let (latest, earliest) = self.steps;
         let alike = self.wanted.velocity.get() / ALIKE;

@@ -23,7 +23,6 @@ const STILL: f64 = 0.2;
 /// key's bottom after a third.
 const CLEARED: f64 = 0.35;
 
-/// State of a take at some time.
 #[derive(Clone, Debug)]
 struct TakeMark<R> {
     instrument: R,
@@ -129,8 +128,7 @@ impl<R: Rehearsal> Take<R> {
         self.falls.extend(outcome.damper_fall);
     }
 
-    /// Returns a take that is equal until `at` (s), with `gesture` in place of the one that begins
-    /// at the same time, or as a further one.
+    /// Returns a copy until `at` (s), with `gesture` added, or replacing the one of equal start.
     pub(super) fn branch(&self, at: f64, gesture: Gesture) -> Self {
         let due = at - 2.0 * self.instrument.period();
         let time = |mark: &TakeMark<R>| self.begin + mark.n[0] as f64 * LOOK;

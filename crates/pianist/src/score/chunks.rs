@@ -2,7 +2,6 @@
 
 use super::ScoreError;
 
-/// Header of a file, and the bytes of its tracks.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Chunks<'a> {
     /// 0 for one track, 1 for several, 2 for independent patterns.

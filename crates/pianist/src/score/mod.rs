@@ -60,8 +60,7 @@ impl Score {
         self.notes.iter().map(|note| note.end).chain(moves).fold(0.0, f64::max)
     }
 
-    /// Returns this score and then `next`, which begins `rest` (s) after the end of this one.
-    /// Both together have no bars.
+    /// Returns this score and then `next`, `rest` (s) after its end. Both together have no bars.
     #[must_use]
     pub fn followed_by(mut self, next: Self, rest: f64) -> Self {
         let later = self.end() + rest;
@@ -87,16 +86,14 @@ impl Score {
     }
 }
 
-/// One note of a score.
+/// One note of a score, on key 0 ..= 87 with MIDI velocity 1 ..= 127.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ScoreNote {
-    /// Key, 0 ..= 87.
     pub key: u8,
     /// Wanted time of the strike (s).
     pub onset: f64,
     /// Wanted time of damping (s); not before the onset.
     pub end: f64,
-    /// MIDI velocity, 1 ..= 127.
     pub velocity: u8,
     /// Release velocity, if the file contains one.
     pub release: Option<Velocity>,

@@ -10,7 +10,6 @@ use super::{ChosenParts, ScoreNote};
 /// Channel 10, counted from 0: percussion by convention.
 const PERCUSSION: u8 = 9;
 
-/// The notes so far.
 #[derive(Debug, Default)]
 pub(super) struct NoteCollector {
     pub(super) parts: ChosenParts,

@@ -1,5 +1,4 @@
-//! Events of a track, without a loss in silence: a byte that no event begins with is counted or
-//! rejected.
+//! Events of a track; a byte that begins no event is counted or rejected, never silently lost.
 
 use midi::output::score_timing::meta;
 
@@ -9,7 +8,6 @@ use super::passed_over::{PassedOver, PassedOverCounts};
 /// few last bytes costs the end of one note at most.
 const TAIL: usize = 7;
 
-/// An event of any track.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct TrackEvent<'a> {
     /// Ticks since the start.

@@ -143,8 +143,7 @@ impl KeySafety {
         self.sent
     }
 
-    /// Reduces a force without its voice like a relaxing spring's as the key goes to `position`
-    /// (m).
+    /// Reduces a voiceless force like a relaxing spring's as the key goes to `position` (m).
     fn relax(&mut self, position: f64) {
         let rise = self.position - position;
         self.position = position;
@@ -314,8 +313,7 @@ pub struct Safety {
 }
 
 impl Safety {
-    /// Returns the gate of all keys, silent and armed, with forces that change by at most `slew`
-    /// (N/s) on their way to a voice.
+    /// Returns the gate of all silent, armed keys; forces change by at most `slew` (N/s).
     pub fn new(period: Period, slew: f64) -> Self {
         Self { keys: [KeySafety::SILENT; KEYS], ramps: Ramps::new(period, slew), armed: true }
     }

@@ -1,15 +1,15 @@
 //! The range of a rig: a spring, a dashpot and a mass are raised until the key shakes.
 //!
 //! ```text
-//! raise     one of them, with its value; a pulse of the motor sets the key in motion. It comes
-//!           to rest: the value times 1.25
-//! let go    it does not: no force from that very exchange on, until the key is at rest
+//! raise     one of them, with its value; a pulse of the motor sets the key in motion. If it comes
+//!           to rest, the value is multiplied by 1.25
+//! let go    otherwise: no force from that exchange on, until the key is at rest
 //! place     a soft spring returns it to the middle of its dip, for a spring
 //! confirm   the value before, by the same pulse; if the key shakes again, the one before that
 //! ```
 //!
 //! A constant push that carries the key's weight, and the spring, hold the key in the middle of its
-//! dip, without any hand; a finger on it takes energy and raises the stable values.
+//! dip without a hand. A finger on the key takes energy and raises the stable values.
 
 mod object;
 #[cfg(test)]
@@ -32,12 +32,10 @@ const PULSE: (f64, f64) = (2.0, 8e-3);
 /// Time at rest after which a key has been let go (s).
 const LET_GO: f64 = 0.2;
 
-/// Conditions of rendering during a range.
+/// Conditions of rendering during a range: time between exchanges (s), and largest force (N).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RangeTerms {
-    /// Time between two exchanges (s).
     pub period: f64,
-    /// Largest force (N).
     pub limit: f64,
     pub estimator: AnyEstimator,
 }

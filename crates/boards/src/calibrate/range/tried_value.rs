@@ -68,7 +68,6 @@ impl TriedValue {
         LIMITED < self.limited
     }
 
-    /// Returns the time since the first sample (s).
     pub(super) fn age(&self, t: f64) -> f64 {
         self.began.map_or(0.0, |(began, _)| t - began)
     }

@@ -172,7 +172,6 @@ impl CalibrationReader<'_> {
         (self.mistakes.len() == before).then_some(keys)
     }
 
-    /// Returns a key and its slot, as far as they are valid.
     fn key(&mut self, table: &Table) -> (Option<usize>, Option<KeyCalibration>) {
         let slot = table.get("slot").and_then(Item::as_integer);
         let slot = slot.and_then(|slot| usize::try_from(slot).ok());

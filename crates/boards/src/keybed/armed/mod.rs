@@ -26,7 +26,6 @@ use crate::topology::BoardPlace;
 /// Time in which forces grow once a board renders them, and fade once it does not (us).
 const FADE_US: u64 = 20_000;
 
-/// Maximum of pending light requests.
 const MOST_IDENTIFY_REQUESTS: usize = 32;
 
 /// Boards that render forces.
@@ -136,10 +135,7 @@ impl Armed {
     }
 }
 
-/// Ages a sample by its unusual delay.
-///
-/// A sample of this tick is fresh, though it was taken earlier: that is the usual delay, and within
-/// a tick or two no delay is exact.
+/// Ages a sample by its unusual delay: zero within the usual delay and a tick or two.
 fn outdate(sample: &mut KeySample) {
     /// Ticks beyond the usual that a sample may be late.
     const MOST_LATE: f64 = 2.0;
@@ -259,8 +255,8 @@ impl Keybed<Armed> {
         }
     }
 
-    /// Stops all boards until an operator restarts them; returns the number on lines that accepted
-    /// the stop. The others are safe when their forces expire.
+    /// Stops all boards until an operator restarts them; returns the number of accepted stops. The
+    /// others are safe when their forces expire.
     pub fn stop(&mut self, reason: u8) -> usize {
         let mut frame = [0; broadcast::MAX_LEN];
         let len = Broadcast::EmergencyStop { reason }.encode(&mut frame);

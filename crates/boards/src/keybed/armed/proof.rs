@@ -18,8 +18,7 @@ const LONGEST_US: u64 = 4_000_000;
 const COUNTING_US: u64 = 200_000;
 
 impl Keybed<Armed> {
-    /// Guards all keys from now on, against impossible readings, forces that change too fast,
-    /// shaking, and motors that do not follow.
+    /// Guards keys against bad readings, fast force changes, shaking and motors that do not follow.
     pub fn guard(&mut self) {
         let period_us = self.stage.period_us;
         self.stage.is_guarded = true;
@@ -28,8 +27,7 @@ impl Keybed<Armed> {
 
     /// Lets every motor of guarded keys push its key gently, and waits for the responses.
     ///
-    /// A key held by a hand is proven in the run, once it has come to rest; until then it gets 1 N
-    /// at most. A key whose motor does not pass is muted.
+    /// A held key is proven in the run, with at most 1 N until then. A key that fails is muted.
     ///
     /// # Errors
     /// The boards without any motor that passed.
@@ -55,8 +53,7 @@ impl Keybed<Armed> {
         boards.all(|board| board.statistics().keys.unproven == 0)
     }
 
-    /// Processes samples for one period and sends only the forces of proofs, so that boards stay
-    /// armed while no model plays; returns the time (us).
+    /// Exchanges the forces of proofs for one period, to keep boards armed; returns the time (us).
     pub fn exchange(&mut self) -> u64 {
         let end = self.now_us() + self.stage.period_us;
         while self.now_us() < end {

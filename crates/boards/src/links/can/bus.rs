@@ -29,7 +29,7 @@ pub(super) struct Data {
 }
 
 impl Data {
-    /// Returns a copy; data beyond the longest frame is cut off.
+    /// Copies `data`, cut off at the longest frame.
     pub(super) fn new(id: u16, data: &[u8]) -> Self {
         let len = data.len().min(MAX_FRAME);
         let mut bytes = [0; MAX_FRAME];

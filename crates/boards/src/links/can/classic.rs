@@ -12,11 +12,10 @@ const NODES: usize = 16;
 #[derive(Clone, Debug, Default)]
 struct ReassemblyState {
     assembler: Reassembler,
-    /// The number of the next frame sent under it; the protocol has three bits.
+    /// Three-bit number of the next frame sent under this identifier.
     roll: u8,
 }
 
-/// Incomplete received frames, and the one that is being sent.
 #[derive(Clone, Debug)]
 pub(super) struct Classic {
     places: Box<[ReassemblyState]>,

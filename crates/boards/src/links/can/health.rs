@@ -1,7 +1,6 @@
 //! Condition of a CAN controller, from its reports.
 //!
-//! Classes and bytes as in Linux' `linux/can/error.h`. Byte 1 is the controller's state, bytes 6
-//! and 7 are its counters.
+//! Classes and bytes as in Linux' `linux/can/error.h`: byte 1 is the state, 6 and 7 are counters.
 
 use super::bus::ControllerReport;
 use crate::links::{Health, WireState};

@@ -90,8 +90,7 @@ impl Can {
 }
 
 /// # Real-time
-/// A frame sent costs one system call, in pieces up to ten, none of which waits; a reception
-/// at most 256. No heap.
+/// A frame sent costs up to ten system calls, a reception up to 256; none waits. No heap.
 #[cfg(target_os = "linux")]
 impl Link for Can {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {

@@ -22,8 +22,7 @@ pub(super) enum Socket {
 impl Socket {
     /// Opens an interface, with filters and all reports.
     ///
-    /// By the kernel's default, other sockets of this machine receive frames sent here; this one
-    /// does not.
+    /// Unlike the kernel's default, other sockets of this machine do not receive frames sent here.
     pub(super) fn open(interface: &str, mode: CanMode, side: BusSide) -> io::Result<Self> {
         Ok(match mode {
             CanMode::Fd => Self::Fd(prepare(CanFdSocket::open(interface)?, side)?),
@@ -93,8 +92,7 @@ fn report(frame: &CanErrorFrame) -> BusRead {
     BusRead::Report(ControllerReport { class: frame.error_bits(), data })
 }
 
-/// A full queue or socket is temporary; any other error means that the interface is down, was
-/// removed, or lost its CAN FD.
+/// Distinguishes a full queue from an interface that is down, was removed, or lost its CAN FD.
 fn refusal(error: &io::Error) -> SendError {
     match Errno::from_io_error(error) {
         Some(Errno::NOBUFS | Errno::AGAIN | Errno::INTR | Errno::NOMEM) => SendError::Full,

@@ -1,5 +1,4 @@
-//! Set-up and condition of a CAN controller, as printed by `ip`: the kernel reports them over
-//! netlink only, not in files.
+//! Set-up and condition of a CAN controller, from `ip`: the kernel has no files for them.
 
 use std::{collections::BTreeMap, process::Command};
 

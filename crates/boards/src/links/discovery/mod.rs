@@ -1,7 +1,7 @@
 //! Links of this machine to boards, obstacles to their use, and advice. Not for the tick.
 //!
-//! Reads files of the system and runs `ip`; opens no port, since opening one resets many boards.
-//! An [`Obstacle`] keeps a device from being used; advice is for one that can be.
+//! Reads system files and runs `ip`; opens no port, since that resets many boards. An [`Obstacle`]
+//! keeps a device from being used; advice is for a usable one.
 
 mod access;
 mod can;

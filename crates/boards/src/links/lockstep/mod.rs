@@ -1,7 +1,6 @@
 //! Boards that a program simulates, in lockstep with the host: virtual time only.
 //!
-//! The host starts the program and exchanges bytes over its stdin and stdout. Numbers are little
-//! endian:
+//! The host starts the program and exchanges bytes over its stdin and stdout, little endian:
 //!
 //! | from | bytes | content |
 //! |---|---|---|
@@ -105,7 +104,6 @@ struct LockedProgram {
     /// `None` once the program is to exit.
     stdin: Option<ChildStdin>,
     stdout: ChildStdout,
-    /// Time without a byte after which it counts as hung (s).
     patience_s: i64,
     lived_us: u64,
     /// Next message: room for time and number, then the sent bytes.

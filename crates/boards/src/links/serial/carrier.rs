@@ -7,8 +7,7 @@ use crate::links::{Link, MAX_LEN, RecvError, SendError};
 
 /// A stream, and the rest of a frame that it has accepted in part.
 ///
-/// The rest goes first, so that the other end receives whole frames. A frame that cannot be begun
-/// is dropped, since the next one is newer.
+/// The rest goes first, so that whole frames arrive. A frame that cannot be begun is dropped.
 #[derive(Debug)]
 pub(super) struct SerialCarrier {
     stream: NonBlockingFd,

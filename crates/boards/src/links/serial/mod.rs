@@ -1,7 +1,7 @@
 //! Serial ports: USB, UART and pseudo-terminals, with frames on their bytes.
 //!
-//! The `serialport` crate sets a port up and locks out other programs. Its own reads and writes
-//! wait, so a second descriptor of the port, which does not, carries the bytes.
+//! The `serialport` crate sets a port up and locks out other programs. Its reads and writes wait,
+//! so a second, non-blocking descriptor carries the bytes.
 
 mod carrier;
 mod pty;
@@ -55,8 +55,7 @@ fn medium(port: &Path, baud: u32) -> Result<Medium, NoPlan> {
     is_uart.then_some(Medium::Uart { baud, wiring: Wiring::FullDuplex }).ok_or(NoPlan::NoRates)
 }
 
-/// An open serial port, which never waits. It stays down after its other end was, until its owner
-/// reopens it.
+/// An open serial port, which never waits. Stays down after its other end was, until reopened.
 #[derive(Debug)]
 pub struct Serial {
     framing: Framing,
@@ -94,8 +93,7 @@ impl Serial {
 }
 
 /// # Real-time
-/// A frame sent costs at most two system calls, none of which waits; a reception at most three
-/// for each piece of 68 bytes. No heap.
+/// At most two system calls to send, three per 68 received bytes; none waits. No heap.
 impl Link for Serial {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
         self.framing.around(&mut self.carrier).try_send(frame)
@@ -116,8 +114,8 @@ impl Link for Serial {
 
 /// Opens a port twice: to set it up, and for the bytes.
 ///
-/// A locked port cannot be opened again, so the exclusive lock comes last. Until then a shared lock
-/// keeps out programs that ask for an exclusive one.
+/// A locked port cannot be opened again, so the exclusive lock comes last. A shared lock keeps out
+/// other programs until then.
 fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, NonBlockingFd)> {
     let settings =
         serialport::new(path.to_string_lossy(), baud).exclusive(false).timeout(Duration::ZERO);

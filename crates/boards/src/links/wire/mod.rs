@@ -5,8 +5,7 @@
 //! ```
 //!
 //! A separate thread relays the bytes: each takes its time at the baud rate, some are lost or get
-//! an inverted bit, and sometimes the wire stalls. Not for the tick, since it simulates the
-//! outside.
+//! an inverted bit, and sometimes the wire stalls. Not for the tick.
 
 mod direction;
 mod relay;

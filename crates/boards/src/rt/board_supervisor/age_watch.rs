@@ -8,8 +8,8 @@ const ENOUGH: f64 = 200.0;
 /// Samples over which lateness is averaged.
 const MEMORY: f64 = 8.0;
 
-/// Lateness (periods) from which a board gets half its forces, and none. A board's samples and the
-/// host's ticks slide past each other by up to one period, which is no lateness.
+/// Lateness (periods) at which a board gets half its forces, and none. Samples and ticks slide past
+/// each other by up to one period, which is no lateness.
 const SOFT: f64 = 1.25;
 const MUTE: f64 = 1.75;
 
@@ -23,7 +23,6 @@ pub(super) struct AgeWatch {
 }
 
 impl AgeWatch {
-    /// Adds the age of a new sample (us); samples are `period_us` apart.
     pub(super) fn take(&mut self, age_us: i32, period_us: u64) {
         let age_us = f64::from(age_us);
         if self.n < ENOUGH {
@@ -47,7 +46,6 @@ impl AgeWatch {
         }
     }
 
-    /// Returns the lateness (periods), if it is too large.
     pub(super) fn late(&self) -> Option<f64> {
         (SOFT <= self.late).then_some(self.late)
     }

@@ -8,8 +8,8 @@
 //!    └── it fell silent, restarted, or renders no force and gave no reason ◀──┴──────────┘
 //! ```
 //!
-//! Only a board with the health feature is asked for it. A board that sends fewer samples than it
-//! confirmed is not armed, and is disarmed when that begins.
+//! Only a board with the health feature is asked for its health. A board that sends fewer samples
+//! than it confirmed is not armed, or is disarmed.
 //!
 //! A board that tripped over silence, or has restarted, is rearmed: at once, then after 1, 2 and
 //! 4 s. One that restarts more often, was stopped, or has a failed key stays `Barred` until a
@@ -31,14 +31,11 @@ use crate::rt::{sample_interval::IntervalFault, terms::BoardAgreement};
 const AGAIN_US: u64 = 100_000;
 /// Armed time below which a board is not rearmed at once (us).
 const SHORT_US: u64 = 1_000_000;
-/// Attempts to arm a board until it is left alone.
 const MOST_ATTEMPTS: u8 = 5;
 /// Shortest and longest measurement of samples before arming (us).
 const MEASURING_US: u64 = 150_000;
 const LONGEST_MEASURING_US: u64 = 1_000_000;
-/// Restarts in quick succession after which a board is barred.
 const MOST_RESTARTS: u8 = 4;
-/// Pause after too many attempts (us).
 const LEFT_ALONE_US: u64 = 10_000_000;
 
 #[derive(Clone, Copy, Debug)]

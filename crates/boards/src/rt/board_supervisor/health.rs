@@ -24,7 +24,6 @@ pub(super) struct HealthWatch {
     next_board: u64,
     next_key: u64,
     slot: u8,
-    /// Key of the request under way.
     asked: u8,
     hottest: Option<i16>,
 }

@@ -1,5 +1,4 @@
-//! Supervision of every board beside the cyclic frames: bring-up, clock, counters, simulated
-//! fingers.
+//! Supervision of every board beside the cyclic frames.
 //!
 //! | module | contents |
 //! |---|---|

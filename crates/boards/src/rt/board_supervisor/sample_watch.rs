@@ -19,7 +19,6 @@ const HABIT: u8 = 8;
 pub(super) struct SampleWatch {
     frames: u64,
     refused: u64,
-    /// Arrival of the newest samples (us).
     newest: u64,
     /// Arrival of the newest samples without the flag (us).
     clear: u64,
@@ -57,8 +56,7 @@ impl SampleWatch {
 
     /// Records that `at_once` frames have arrived together at `now` (us).
     ///
-    /// The host polls all the time, so frames that arrive together after several polls were held
-    /// back on their path; a late host has not polled.
+    /// Frames that arrive together after several polls were held back; a late host has not polled.
     const fn look(&mut self, at_once: u64, now: u64) {
         if AT_ONCE <= at_once && EMPTY_LOOKS <= self.empty_looks {
             if self.bursts < 2 * HABIT {

@@ -115,7 +115,6 @@ impl BoardSession {
         self.ages.share().min(even)
     }
 
-    /// Adds the age of new samples (us), `period_us` after those before.
     pub(super) fn take_age(&mut self, age_us: i32, period_us: u64) {
         if self.state() == ArmState::Armed {
             self.ages.take(age_us, period_us);
@@ -132,13 +131,12 @@ impl BoardSession {
         !self.timing.is_known() && FEW < self.replies.late
     }
 
-    /// Returns the time from its newest answer until `now` (us), if any.
     pub(super) fn since_answer(&self, now: u64) -> Option<u64> {
         self.replies.newest_us.map(|newest| now.saturating_sub(newest))
     }
 
-    /// Records that samples usually arrive `usual_us` late, too late for forces. A misread clock
-    /// shows the same, so the board must have counted the late forces.
+    /// Records that samples usually arrive `usual_us` late, too late for forces. The board must
+    /// have counted late forces, since a misread clock shows the same.
     pub(super) const fn on_late(&mut self, usual_us: f64, now: u64) {
         if !self.counters.is_stale {
             return;

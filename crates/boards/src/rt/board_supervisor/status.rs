@@ -36,7 +36,6 @@ pub struct Condition {
     /// Restarts since the first arming, and the last reason (as in its hello).
     pub restarts: u64,
     pub reset_reason: u8,
-    /// Interval of bursts of samples (us), if they arrive in bursts.
     pub burst_us: Option<u64>,
     /// Lateness of samples since arming (periods), if it is too large.
     pub late: Option<f64>,

@@ -3,8 +3,8 @@ use crate::{periods::PING_US, rt::round_trips::RoundTripHistory};
 
 /// Initial round trips, to learn a board's clock from.
 const QUICK_PINGS: u32 = 8;
-/// Round trips after which those for an unknown clock slow down: on a busy machine more of them
-/// would keep it busy, and those that are farther apart determine a rate better.
+/// Round trips after which those for an unknown clock slow down, to relieve a busy machine. Distant
+/// trips also determine a rate better.
 const MOST_QUICK_PINGS: u32 = 32;
 /// Interval of quick round trips (us).
 const QUICK_PING_US: u64 = 10_000;

@@ -4,8 +4,8 @@
 //! wanted ── share (mute, soften) ── offset after a gap ── limit of the rise ──▶ sent
 //! ```
 //!
-//! A force may always fall to zero. After a gap it continues from the last one that was sent and
-//! the difference decays, so the finger feels no step.
+//! A force may always fall to zero. After a gap it continues from the last sent one and the
+//! difference decays, so the finger feels no step.
 
 /// Time in which a share fades out or in (s).
 const FADE: f64 = 0.02;
@@ -46,8 +46,7 @@ impl ForcePath {
         self.blended += 1;
     }
 
-    /// Returns the force to send (N), `elapsed` (s) after the one before, for `wanted` (N) and the
-    /// permitted share `most` (0 to 1).
+    /// Returns the force (N) for `wanted` (N) and share `most`, `elapsed` (s) after the last.
     pub(super) fn next(&mut self, wanted: f64, most: f64, elapsed: f64) -> f64 {
         let step = elapsed / FADE;
         self.share += (most - self.share).clamp(-step, step);
@@ -75,7 +74,6 @@ mod tests {
 
     const H: f64 = 1e-3;
 
-    /// Asserts that `force` is `wanted` (N).
     #[track_caller]
     fn check(force: f64, wanted: f64) {
         assert!((force - wanted).abs() < 1e-9, "{force} N, not {wanted}");

@@ -1,7 +1,6 @@
 //! Detects a key that stands still away from its ends.
 //!
-//! A hand can hold a key anywhere, so the only consequence is a report: counts may have been lost
-//! undetected, or the board was started with the key down.
+//! Only reported, since a hand can hold a key anywhere: counts may be lost, or it started pressed.
 
 /// Tremor (m) and duration (s) of standing still.
 const STILLNESS: f64 = 5e-6;

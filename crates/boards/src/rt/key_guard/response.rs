@@ -117,8 +117,7 @@ impl MotorResponse {
         };
     }
 
-    /// Judges a motion of `way` (m, down positive): one of `least` is a response, less than a third
-    /// of that is none, and the range between is unclear.
+    /// Judges a motion of `way` (m, down positive): from `least` a response, below a third none.
     fn judge(&mut self, way: f64, least: f64) -> Option<KeyFault> {
         if way <= -least {
             (self.n_wrong, self.n_still, self.has_answered) = (0, 0, true);

@@ -1,5 +1,4 @@
-//! Detects an unstable loop of host, board and key: no action oscillates its force many times in
-//! 50 ms, whatever the model.
+//! Detects an unstable loop of host, board and key by force oscillations within 50 ms.
 //!
 //! A hard stroke rebounds from the bed with up to six half-waves; eleven are too many, and fewer if
 //! they are large. Each counts by the smaller of its peak and that of the half-wave before.

@@ -8,8 +8,8 @@
 //! | continues at the old speed, with an offset | counts were lost, or a coupling slipped | the key is muted |
 //! | continues from there | the key was struck or landed | both are used |
 //!
-//! So a glitch costs no force, and a hard stroke is detected one sample later. A key that is
-//! stopped by its rest or its bottom is no glitch: there, a slower reading is used at once.
+//! So a glitch costs no force, and a hard stroke is detected one sample later. Near rest and
+//! bottom, which stop a key, a slower reading is used at once.
 
 /// Acceleration that finger and motor hardly exceed (m/s²); beyond it a reading waits for the next.
 const MOST_ACCELERATION: f64 = 150.0;
@@ -34,7 +34,6 @@ pub(super) enum TrendVerdict {
     Slipped,
 }
 
-/// A key's line through its newest readings.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct KeyTrend {
     /// Newest reading on the trend (m), speed (m/s), and number of readings.

@@ -1,9 +1,8 @@
 //! A simulated board: its keys behind one link, as complete as a real one.
 //!
-//! The board has its own ticks. It computes the forces of its motors in each tick, and sends samples
-//! in every n-th one. It answers requests (`requests`), and accepts forces only when it is armed
-//! (`force_interlock`), as answers to recent samples (`sample_history`) or with a time of the bus
-//! (`multicast`).
+//! It computes its motors' forces in each of its own ticks, and sends samples in every n-th one. It
+//! answers requests (`requests`), and accepts forces when armed (`force_interlock`), as answers to
+//! recent samples (`sample_history`) or with a bus time (`multicast`).
 
 mod bus_time;
 mod multicast;
@@ -206,7 +205,7 @@ impl SimulatedBoard {
         }
     }
 
-    /// Receives frames, and simulates the ticks up to the start of `tick`; sends samples when due.
+    /// Receives frames, simulates the ticks up to the start of `tick`, and sends samples when due.
     /// The first call receives none.
     ///
     /// # Real-time

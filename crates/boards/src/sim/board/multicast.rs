@@ -1,7 +1,6 @@
 //! Multicast forces at a simulated board.
 //!
-//! Its keys may be in two groups of thirty. If the forces of one group are lost, the other must not
-//! keep them alive: the older of the two counts.
+//! Its keys may be in two groups of thirty. The older one counts, so no group keeps another alive.
 
 use std::ops::Range;
 
@@ -19,8 +18,7 @@ pub(super) struct Groups {
 }
 
 impl Groups {
-    /// Records forces of `group`; returns the oldest time of the groups of `keys`, at least one, or
-    /// `None` as long as one of them is missing.
+    /// Records forces of `group`; returns the oldest time of the groups of `keys`, if complete.
     fn hear(&mut self, group: u8, taken_us: u64, keys: &Range<usize>) -> Option<u64> {
         *self.taken_us.get_mut(usize::from(group))? = Some(taken_us);
         let mine = keys.start / GROUP..keys.end.div_ceil(GROUP);

@@ -149,7 +149,6 @@ impl Bench {
         }
     }
 
-    /// Force of the motor in `slot` (N).
     fn force(&self, slot: usize) -> f64 {
         self.board.rig(slot).unwrap().motor_force().abs()
     }

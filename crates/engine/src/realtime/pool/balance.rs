@@ -72,8 +72,7 @@ impl MeasuredWork {
         slots.iter().map(|slot| self.work[slot.key()]).sum()
     }
 
-    /// Returns the one of `slots` to move from a lane with load `most` to one with load `least`:
-    /// that which leaves them most equal, if it is worth a move.
+    /// Returns the slot whose move best balances loads `most` and `least`, if it is worth a move.
     pub(super) fn to_move<V>(&self, slots: &[Slot<V>], most: u64, least: u64) -> Option<usize> {
         let gap = most.checked_sub(least).filter(|gap| most < WORTH * gap)?;
         let work = |index: &usize| self.work[slots[*index].key()];

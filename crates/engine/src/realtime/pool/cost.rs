@@ -1,9 +1,8 @@
 //! Cost of work, learned from the lanes.
 //!
-//! Each tick of each lane compares the expected cost of its turns with the processor time that they
-//! took. A tick moves a cost by a bounded step, so that an outlier in either direction counts no
-//! more than a usual tick. Steps are fractions of the time since a cost was last learned, so that
-//! an old cost is given up as soon as its kind of voice works again.
+//! Each tick of each lane compares the expected cost of its turns with their processor time. A tick
+//! moves a cost by a bounded step, so that an outlier counts no more than a usual tick. Steps are
+//! fractions of the time since a cost was last learned, so that an old cost is soon given up.
 
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
@@ -92,7 +91,6 @@ impl LearnedTime {
     }
 }
 
-/// Costs of work, learned from every tick, and a constant cost for virtual time.
 #[derive(Debug)]
 pub(super) struct CostModel {
     learned: WorkCosts,

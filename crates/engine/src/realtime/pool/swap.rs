@@ -98,8 +98,7 @@ impl VoiceSwaps {
         pushed.map_err(|PushError::Full(it)| Refused::Full(Box::new(it.change)))
     }
 
-    /// Waits for room for changes of all `keys`, a quarter of a second at most: a whole instrument
-    /// that was just sent takes several ticks. Not for the tick.
+    /// Waits up to 250 ms, for several ticks, for room for changes of all `keys`. Not in a tick.
     ///
     /// # Errors
     /// The reason why there is no room.
@@ -141,8 +140,7 @@ pub(super) fn rings(has_voice: [bool; KEYS]) -> (VoiceSwaps, InnerEnd) {
 
 impl InnerEnd {
     /// Applies the waiting changes, while there is room for replaced voices and the next key is at
-    /// home. Observes changed voices into `observed`, so that a recording has the tick of each
-    /// change, even of a late voice.
+    /// home. `observed` records each change in its tick, even of a late voice.
     ///
     /// # Real-time
     /// At most [`MAX_CHANGES_PER_TICK`] moves of a pointer or models built; frees nothing.

@@ -36,7 +36,6 @@ pub(super) const AWAKE: usize = 0;
 /// Stack of a lane's thread; all of it is locked into memory.
 const STACK_BYTES: usize = 1024 * 1024;
 
-/// Voices of one tick on their way to a lane and back.
 #[derive(Debug)]
 pub(super) struct Batch {
     pub(super) share: usize,

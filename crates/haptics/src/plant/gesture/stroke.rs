@@ -33,9 +33,8 @@ const DEEPEST: f64 = 0.6;
 /// Height above the key from which a struck gesture starts (m) (estimate).
 const STRIKE_HEIGHT: f64 = 20e-3;
 
-/// Fraction of the way to the hold depth in which a pressed gesture gains its speed. It takes most
-/// of the way to let-off: a sudden start would set finger and action swinging, and the tone would
-/// depend on the phase of that swing rather than on the speed.
+/// Fraction of the way to the hold depth in which a pressed gesture gains its speed: most of the
+/// way to let-off, since a sudden start would swing the action and spoil the tone.
 const PRESSED_RUN_UP: f64 = 0.5;
 
 /// Fraction of the way to the key in which a struck gesture gains its speed.
@@ -53,12 +52,10 @@ const DWELL: f64 = 20e-3;
 /// Time from the peak to the hold depth (s).
 const SETTLE: f64 = 80e-3;
 
-/// Command of a muscle at one instant, down positive.
+/// Command of a muscle at one instant, down positive (m, m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MuscleCommand {
-    /// Position (m).
     pub position: f64,
-    /// Velocity (m/s).
     pub velocity: f64,
 }
 

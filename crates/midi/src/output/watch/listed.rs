@@ -5,7 +5,6 @@ use midir::{MidiOutput, MidiOutputPort};
 use crate::output::Unavailable;
 use crate::output::ports::{named, open};
 
-/// Search for one port in the list of all.
 pub(in crate::output) struct PortWatch {
     /// Client for the list: an established connection cannot list ports.
     system: MidiOutput,

@@ -202,8 +202,6 @@ proptest! {
         }
     }
 
-    /// Towards the voice the force moves by the slew limit at most, and away from it by a share of
-    /// the fade, however often the voice fails and returns.
     #[test]
     fn no_trouble_makes_the_force_faster_than_the_slew_limit_or_the_fade(
         ticks in prop::collection::vec((any_trust(), -LIMIT..LIMIT), 1..200),

@@ -24,8 +24,7 @@ fn measurement(object: RangedObject, rig: &RigParameters, period: f64) -> RangeM
     RangeMeasurement::new(object, terms, &rested, &travelled)
 }
 
-/// Measures `object` on a key of this rig, in ticks of `period` (s); asserts that the motor gives
-/// no force from the tick on in which the shaking is detected.
+/// Measures `object` on a key, in ticks of `period` (s); asserts no force once it shakes.
 fn range(object: RangedObject, rig: RigParameters, period: f64) -> RangeFound {
     let mut measurement = measurement(object, &rig, period);
     let mut key = SimulatedKey::new(period, rig).unwrap();

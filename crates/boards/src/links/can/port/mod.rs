@@ -7,15 +7,12 @@ use super::bus::{BusRead, CanBus, Data};
 use super::{CanMode, classic::Classic};
 use crate::links::{Health, Link, RecvError, SendError};
 
-/// Frames of the bus and reports to read for one frame of the protocol; the rest waits for the
-/// next call.
+/// Frames and reports of the bus to read per frame of the protocol; the rest waits.
 const MAX_ARRIVALS: usize = 256;
 
-/// A bus that carries the protocol.
 #[derive(Debug)]
 pub(super) struct CanPort<B> {
     bus: B,
-    /// Pieces, on classic CAN.
     classic: Option<Classic>,
     health: Health,
     dropped: u64,

@@ -6,7 +6,6 @@ use super::kernel;
 use super::limits::{ProcessLimits, ResourceLimit};
 use crate::links::discovery::Listing;
 
-/// Priority of the tick by default.
 const WANTED_PRIORITY: u64 = 80;
 
 /// A property of this machine.
@@ -14,7 +13,6 @@ const WANTED_PRIORITY: u64 = 80;
 pub struct Fact {
     pub name: &'static str,
     pub detail: String,
-    /// Remedy if it hurts.
     pub advice: Option<String>,
 }
 

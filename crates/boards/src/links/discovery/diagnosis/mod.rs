@@ -7,8 +7,7 @@
 //! | [`kernel`], [`limits`] | causes of late ticks on this machine |
 //! | [`machine`] | the two together, as a list |
 //!
-//! No setting is changed and no port is opened. Every reading function takes the root of its
-//! files.
+//! No setting is changed and no port is opened. Every reading function takes the root of its files.
 
 pub(super) mod can;
 mod files;

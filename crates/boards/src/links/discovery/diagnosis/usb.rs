@@ -36,8 +36,7 @@ impl UsbSpeed {
 pub struct UsbPlace {
     pub folder: PathBuf,
     pub speed: UsbSpeed,
-    /// Owner of the 12 Mbit/s of a full-speed device: a port, or a hub with one translator for
-    /// all. Devices with the same owner share them.
+    /// Owner of the 12 Mbit/s that full-speed devices share: a port, or a hub with one translator.
     pub shared: Option<PathBuf>,
     /// Time without traffic after which it is put to sleep; `None` for never (ms).
     pub sleeps_after: Option<u32>,
