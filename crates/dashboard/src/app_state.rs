@@ -70,7 +70,6 @@ impl StopState {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum LightState {
     Asked,
-    /// Sentence that the host answered.
     Answered(Result<String, String>),
 }
 
@@ -78,7 +77,6 @@ pub(crate) enum LightState {
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(crate) struct SharedView {
-    /// The selected key, which is in `range`.
     pub(crate) selected: u8,
     /// Lowest and highest key of the selected range.
     pub(crate) range: (u8, u8),
@@ -86,7 +84,6 @@ pub(crate) struct SharedView {
     /// Time at which the display is frozen (s).
     #[serde(skip)]
     pub(crate) frozen: Option<f64>,
-    /// Text of a scene or a preset to be written to a file.
     #[serde(skip)]
     pub(crate) scene: Option<String>,
     /// Path of a running recording, if this window began it.
@@ -109,7 +106,6 @@ pub(crate) struct AppState {
     lights: BTreeMap<(u32, u32), LightState>,
     asked: BTreeMap<Ticket, Purpose>,
     followed: BTreeSet<Topic>,
-    /// Keys whose rows are drawn in this frame.
     wanted: BTreeSet<u8>,
 }
 
@@ -190,7 +186,6 @@ impl AppState {
         let is_known = if let Update::Catalogue(it) = update {
             before == Some(it.run.as_str())
         } else if is_before_ticks(update) {
-            // A host has no catalogue yet.
             false
         } else {
             return;
@@ -257,7 +252,6 @@ impl AppState {
         SourceState::new(self.source.standing(), self.store.status.as_ref())
     }
 
-    /// Returns `true` if the host accepts changes from this window.
     pub(crate) fn may_change(&self) -> bool {
         self.may(Role::Tuner)
     }
@@ -319,7 +313,7 @@ impl AppState {
         self.lights.get(&(line, board))
     }
 
-    /// Requests a key's rows; a panel calls this in each frame in which it draws them.
+    /// Requests a key's rows; a panel calls this in each frame that draws them.
     pub(crate) fn want(&mut self, key: u8) {
         self.wanted.insert(key);
     }
@@ -336,7 +330,6 @@ impl AppState {
         };
     }
 
-    /// Lets all scopes follow the newest rows.
     pub(crate) fn follow(&mut self) {
         self.view.frozen = None;
         self.view.scopes.values_mut().for_each(|scope| scope.pinned = None);
@@ -402,7 +395,6 @@ impl AppState {
         self.store.take(at, update);
     }
 
-    /// Shows each board that renders no force since the last status.
     fn report_boards(&mut self, now: &Status) {
         let before = self.store.conditions.boards.clone();
         let now = Conditions::new(&now.boards, &now.lines, Some(now)).boards;

@@ -45,14 +45,12 @@ pub(crate) fn label(value: f64, (low, high): (f64, f64), lines: f64) -> String {
     }
 }
 
-/// Returns the width of a vertical axis (points) that has room for the labels of several ranges,
-/// each with its number of grid lines.
+/// Returns the width of a vertical axis (points) for several ranges, each with its number of lines.
 pub(crate) fn gutter(ui: &Ui, axes: impl Iterator<Item = ((f64, f64), f64)>) -> f32 {
     let font = TextStyle::Body.resolve(ui.style());
     let width =
         |text: String| ui.painter().layout_no_wrap(text, font.clone(), Color32::WHITE).size().x;
     let widest = |((low, high), lines): ((f64, f64), f64)| {
-        // The first and the last label are the longest, or the one before.
         let step = step((low, high), lines);
         let values = [low, low + step, high - step, high];
         values.map(|it| width(label(it, (low, high), lines))).into_iter().fold(0.0, f32::max)

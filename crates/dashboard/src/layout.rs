@@ -64,7 +64,6 @@ pub(crate) fn open(layout: &mut Layout, pane: Pane) {
     layout.make_active(|id, _| id == tile);
 }
 
-/// Returns the tabs for an opened panel: the largest, those of the scope.
 fn beside(layout: &Layout, root: TileId) -> TileId {
     let scope = layout.tiles.find_pane(&Pane::Scope(0));
     scope.and_then(|scope| layout.tiles.parent_of(scope)).unwrap_or(root)

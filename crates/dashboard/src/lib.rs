@@ -1,7 +1,6 @@
 //! The window: keys, scopes, mechanisms and sliders of a host, live or recorded.
 //!
-//! It depends only on [`telemetry`]: all data comes from a [`telemetry::Source`], and each request
-//! is a [`telemetry::Request`].
+//! All data comes from a [`telemetry::Source`], and each request is a [`telemetry::Request`].
 //!
 //! | folder | contents |
 //! |---|---|

@@ -28,7 +28,6 @@ pub(crate) const fn index(x: f64) -> usize {
     x as usize
 }
 
-/// Returns `n` as a key, if it is 0 (A0) to 87 (C8).
 pub(crate) fn key(n: u32) -> Option<u8> {
     u8::try_from(n).ok().and_then(telemetry::KeyIndex::new).map(telemetry::KeyIndex::number)
 }

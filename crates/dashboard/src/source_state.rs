@@ -6,9 +6,7 @@ use telemetry::{ConnectionState, Severity, Status, status};
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum SourceState {
     Connecting,
-    /// No host answers, for this reason.
     NoHost(String),
-    /// A host rejects this window, for this reason.
     Refused(String),
     Preparing,
     Rehearsing {
@@ -20,7 +18,6 @@ pub(crate) enum SourceState {
     /// The host should play and its ticks do not continue.
     Stalled,
     Ending,
-    /// The piece is over; a sentence about it.
     Over(String),
     /// A stop removed all forces: boards that received it, of all.
     Stopped {

@@ -1,5 +1,4 @@
-//! Receives from a live source while the window sleeps, and wakes the window only for visible
-//! changes: a resting keyboard costs no frames.
+//! Receives from a live source while the window sleeps, and wakes it only for visible changes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
@@ -115,7 +114,6 @@ struct Worker {
     summaries: KeySummaries,
     /// The last status, which a host repeats.
     status: Option<Status>,
-    /// The window's ticket by the source's.
     tickets: BTreeMap<Ticket, Ticket>,
 }
 
@@ -168,7 +166,6 @@ impl Worker {
         }
     }
 
-    /// Returns `true` if an arrival changes more than the time.
     fn is_seen(&mut self, arrival: &Arrival) -> bool {
         let Arrival::Update { update, .. } = arrival else { return true };
         match &**update {

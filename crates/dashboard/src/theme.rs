@@ -35,7 +35,6 @@ pub(crate) fn line(i: usize, ui: &egui::Ui) -> Color32 {
     if ui.visuals().dark_mode { of_theme[0] } else { of_theme[1] }
 }
 
-/// Returns the colour of lines behind a plot.
 pub(crate) fn grid(ui: &egui::Ui) -> Color32 {
     faint(ui.visuals().weak_text_color(), 0.45)
 }
@@ -50,7 +49,6 @@ pub(crate) fn spacer(
     })
 }
 
-/// Returns a [`spacer`] for a horizontal axis of this length.
 pub(crate) fn spacer_across(
     points: f32,
 ) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
@@ -71,17 +69,14 @@ pub(crate) fn fault(ui: &egui::Ui) -> Color32 {
     if ui.visuals().dark_mode { Color32::from_rgb(0xFF, 0x84, 0x3D) } else { VERMILLION }
 }
 
-/// Returns the colour of texts about a degraded state.
 pub(crate) fn warning(ui: &egui::Ui) -> Color32 {
     if ui.visuals().dark_mode { ORANGE } else { Color32::from_rgb(0x8A, 0x5A, 0x00) }
 }
 
-/// Returns the colour of texts about a normal state.
 pub(crate) fn well(ui: &egui::Ui) -> Color32 {
     if ui.visuals().dark_mode { Color32::from_rgb(0x2C, 0xC4, 0x96) } else { GREEN }
 }
 
-/// Returns the colour of a text about a state of this severity.
 pub(crate) fn severity(severity: Severity, ui: &egui::Ui) -> Color32 {
     match severity {
         Severity::Well => well(ui),

@@ -59,7 +59,6 @@ impl Toasts {
         self.0.retain(|(shown, _)| shown.text != text);
     }
 
-    /// Draws the messages at `now`; returns the action of a clicked button.
     pub(crate) fn ui(&mut self, ctx: &Context, now: u64) -> Option<ToastAction> {
         self.0.retain(|(toast, since)| now.saturating_sub(*since) < toast.duration());
         if self.0.is_empty() {
@@ -93,7 +92,6 @@ enum ToastClick {
     Button(ToastAction),
 }
 
-/// Draws a message; returns the click on it.
 fn toast_ui(ui: &mut Ui, toast: &Toast) -> ToastClick {
     let color = match toast.level {
         Level::Info => ui.visuals().text_color(),

@@ -1,16 +1,13 @@
 //! Triangles that fill an outline of any shape, by cutting its ears.
 //!
 //! An ear is a corner whose two neighbours see each other through the outline's inside; every
-//! simple outline has one.
-//! Outlines from outside may cross or touch themselves, or have no area: they are filled as well as
-//! possible in a bounded number of steps.
-//! The available library indexes unchecked, which is too much trust for network data. An outline of
-//! two dozen points costs microseconds here.
+//! simple outline has one. Outlines from outside may cross or touch themselves, or have no area:
+//! they are filled as well as possible in a bounded number of steps. The available library indexes
+//! unchecked, which is too much trust for network data.
 
 /// Most points of a filled outline: the work grows faster than their number.
 const MOST: usize = 256;
 
-/// Position, across and up.
 pub(crate) type ScreenPoint = [f64; 2];
 
 /// Returns `true` if an outline always turns the same way, once around.
@@ -89,13 +86,11 @@ fn leads_into(points: &[ScreenPoint], [corner, next, last]: [usize; 3], other: u
     0.0 < turn(points, [corner, next, other]) && 0.0 < turn(points, [corner, other, last])
 }
 
-/// Returns a corner between its neighbours.
 fn around(left: &[usize], at: usize) -> [usize; 3] {
     let of = left.len();
     [left[(at + of - 1) % of], left[at], left[(at + 1) % of]]
 }
 
-/// Returns the distance of two points along the axes.
 fn distance(a: ScreenPoint, b: ScreenPoint) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).abs()
 }

@@ -9,8 +9,6 @@
 //! | [`plot`] | pictures of figures, as SVG |
 //!
 //! Commands, the host and studies use these functions, so that each figure is computed in one way.
-//!
-//! Reports, real time and a keyboard of 88 keys are not here.
 #![forbid(unsafe_code)]
 
 pub mod action;

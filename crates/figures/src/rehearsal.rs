@@ -40,8 +40,7 @@ pub enum RehearsalError {
     Cancelled,
 }
 
-/// Maximum work of a rehearsal: ticks of all keys and trials. A processor takes some minutes for
-/// them; a piece of an hour at 1 kHz needs a third.
+/// Maximum work of a rehearsal: ticks of all keys and trials. An hour at 1 kHz needs a third.
 pub const MAX_REHEARSED_TICKS: u64 = 1_000_000_000;
 
 /// Ticks of a rehearsal, counted by all its keys and their copies.
@@ -74,7 +73,6 @@ impl RehearsalWork {
         }
     }
 
-    /// Counts `ticks` and `evaluations`; returns `true` if any ticks are left.
     fn spend(&self, ticks: u64, evaluations: u64) -> bool {
         self.evaluations.fetch_add(evaluations, Ordering::Relaxed);
         let less = |left: u64| Some(left.saturating_sub(ticks));
@@ -92,8 +90,7 @@ const LOOK: f64 = 10e-3;
 
 /// One key of the simulated keybed and its voice, in virtual time.
 ///
-/// Sample, voice, safety and wire are those of the running host in the same order, so rehearsed
-/// output equals played output bit for bit.
+/// Its parts are the running host's, so rehearsed output equals played output bit for bit.
 pub struct RehearsedKey {
     key: SimulatedKey,
     slot: Slot<Copied>,

@@ -103,7 +103,6 @@ pub fn touch_weights(scene: &Scene, key: KeyIndex) -> Result<Option<TouchWeights
     Ok(down.zip(up).map(|(down, up)| TouchWeights { down, up }))
 }
 
-/// Changes the weight on a key slowly (N); returns the weight at which `is_there` holds.
 fn weighed(
     key: &mut RehearsedKey,
     (from, to): (f64, f64),

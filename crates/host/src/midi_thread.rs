@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_millis(50);
 /// Priority of MIDI: below the tick, above the rest; a late force is worse than a late note.
 pub(crate) const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
-/// End of a run, as its notes are concerned.
+/// End of a run for its notes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NoteEnding {
     /// The time is over or a signal arrived: sounding notes decay normally.
@@ -40,12 +40,10 @@ pub struct MidiDispatcher {
     schedule: Schedule,
     player: Player<AnyOutput>,
     curve: VelocityCurve,
-    /// Compares strikes with a performance, if one is played.
     assessor: Option<Assessor>,
     /// First error of the output; later ones are counted.
     trouble: Option<String>,
     n_troubles: u64,
-    /// Counters of the tick, and the number of ticks at the last poll.
     ticks: Option<(Arc<LiveCounters>, u64)>,
 }
 
@@ -143,7 +141,6 @@ impl MidiDispatcher {
         }
     }
 
-    /// Plays the due events of the ring, the earliest first.
     fn play_due(&mut self, start: Nanos, handover: &mut Histogram<u64>) {
         self.collect();
         while let Some(first) = self.schedule.first() {
@@ -210,7 +207,7 @@ impl MidiDispatcher {
     }
 }
 
-/// A dispatcher on its own thread.
+/// Dispatcher on its own thread.
 #[derive(Debug)]
 pub struct MidiThread {
     stop: Arc<AtomicBool>,

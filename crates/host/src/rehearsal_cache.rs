@@ -21,7 +21,7 @@ const MAX_SIZE: u64 = 64 << 20;
 
 const ENDING: &str = "rehearsal";
 
-/// Folder of kept rehearsals of one program.
+/// Folder with the rehearsals of one program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct RehearsalCache {
     pub folder: PathBuf,
@@ -30,7 +30,7 @@ pub struct RehearsalCache {
 }
 
 impl RehearsalCache {
-    /// Returns all that the rehearsal of `score` depends on.
+    /// Returns everything that the rehearsal of `score` depends on.
     pub(crate) fn content(
         &self,
         (scene, builder): (&Scene, &VoiceBuilder<'_>),

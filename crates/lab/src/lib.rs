@@ -15,10 +15,7 @@
 //!
 //! `scenario` does not know `accuracy`, and `accuracy` does not know `report`.
 //!
-//! Run a study on an idle machine: its counts are equal everywhere, but its nanoseconds belong to
-//! the machine that the report names.
-//!
-//! Integration methods, figures of one key and real time are not here.
+//! Run a study on an idle machine: its counts are equal everywhere, its nanoseconds are not.
 #![forbid(unsafe_code)]
 
 pub mod accuracy;

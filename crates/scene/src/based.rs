@@ -10,7 +10,7 @@ pub type CompassDifferences = [Option<Difference>; KEYS];
 /// Differences of an instrument from its base, by parameter.
 pub type InstrumentEdit = BTreeMap<String, CompassDifferences>;
 
-/// Relation of a saved instrument to the one that it was made from.
+/// Relation of a saved instrument to its base.
 #[derive(Clone, Debug)]
 pub struct Based {
     /// Name or path of the base.
@@ -18,11 +18,8 @@ pub struct Based {
     /// `true` if the base has had other values when the file was written.
     pub has_changed: bool,
     pub edit: InstrumentEdit,
-    /// Values of the base under the differences, by parameter.
     pub(super) values: Vec<CompassValues>,
-    /// Values that the base has now.
     pub(super) present: Vec<CompassValues>,
 }
 
-/// Values of one parameter on all keys.
 pub(super) type CompassValues = [f64; KEYS];

@@ -9,8 +9,7 @@ use super::kind::{FileKind, describes_model, kind_of};
 use super::scene::{PerformanceSource, Scene, is_midi_file};
 use super::source::{SourceText, refuse};
 
-/// Checks the scene, instrument, description of a model or MIDI file at `path`, with the kind found
-/// by its contents.
+/// Checks the scene, instrument, description of a model or MIDI file at `path`, by its contents.
 ///
 /// # Errors
 /// All mistakes in it, or that it is none of these.

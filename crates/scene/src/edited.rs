@@ -10,8 +10,7 @@
 //! g = 9.81
 //! ```
 //!
-//! With `[base_values]` the instrument is played as it was saved, whatever becomes of its base;
-//! without that table it follows its base.
+//! With `[base_values]` the instrument is played as it was saved, else it follows its base.
 
 use std::sync::Arc;
 
@@ -38,14 +37,12 @@ const KINDS: [(&str, Difference); 3] = [
 
 const POINTS: &str = "write { offset = [[\"C4\", 0.0001], [\"C5\", 0.0002]] }, or factor, or value";
 
-/// Returns the values of all parameters of `instrument`, each on all keys.
 fn values_of(instrument: &Instrument) -> Vec<CompassValues> {
     let by_key: Vec<_> = KeyIndex::all().map(|key| instrument.values(key.number())).collect();
     let parameters = 0..instrument.model().parameters.len();
     parameters.map(|index| std::array::from_fn(|key| by_key[key][index])).collect()
 }
 
-/// Returns the hash of an instrument's values with the names of their parameters.
 fn hash(parameters: &[Parameter], values: &[CompassValues]) -> String {
     let crc = Crc::<u64>::new(&CRC_64_XZ);
     let mut digest = crc.digest();
@@ -83,7 +80,7 @@ impl Instrument {
         document.to_string()
     }
 
-    /// Returns this instrument with its differences laid over the values that its base has now.
+    /// Returns this instrument with its differences laid over the present values of its base.
     ///
     /// # Errors
     /// A sentence if it has no base, or if a value is out of range.
@@ -153,7 +150,6 @@ impl Instrument {
 }
 
 impl Based {
-    /// Returns the differences from the base after `edit` of this instrument.
     fn with(&self, parameters: &[Parameter], edit: &InstrumentEdit) -> InstrumentEdit {
         let mut all = self.edit.clone();
         for (name, after) in edit {
@@ -268,7 +264,6 @@ fn read_edit(
     edit
 }
 
-/// Reads points over the compass, and lays the line through them over `differences`.
 fn read_line(
     report: &mut FindingList,
     (name, unit): (&str, &'static str),
@@ -355,7 +350,6 @@ fn written(differences: &CompassDifferences) -> Item {
     Item::Value(Value::Array(lines))
 }
 
-/// Returns the points of a line through `amounts`, which begin at the key `first`.
 fn points(first: usize, amounts: &[f64]) -> Array {
     let point = |index: usize| -> Value {
         let note = KeyIndex::all().nth(first + index).map_or_else(String::new, |it| it.to_string());

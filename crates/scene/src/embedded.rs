@@ -1,9 +1,7 @@
 //! Embedded scenes, instruments and performances.
 
-/// Embedded TOML files of one kind.
 #[derive(Debug)]
 pub(super) struct EmbeddedFiles {
-    /// Kind, in the singular.
     pub(super) what: &'static str,
     files: &'static [(&'static str, &'static str)],
 }

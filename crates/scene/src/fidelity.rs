@@ -43,7 +43,6 @@ impl Fidelity {
 #[derive(Clone, Debug)]
 pub struct FidelityLevel {
     pub fidelity: Fidelity,
-    /// Instrument that renders it.
     pub instrument: String,
     pub voicing: Voicing,
 }
@@ -69,7 +68,6 @@ pub struct FidelityChoice {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum WantedFidelity {
     Level(Fidelity),
-    /// Highest fidelity that the budget allows.
     Auto,
 }
 
@@ -78,7 +76,6 @@ pub(super) fn read_budget(report: &mut FindingList, scene: &mut TableReader<'_>)
     scene.number(report, "budget", BUDGET).unwrap_or(DEFAULT_BUDGET)
 }
 
-/// Reads the instruments that render this one with less work.
 pub(super) fn read_levels(
     report: &mut FindingList,
     instrument: &mut TableReader<'_>,
@@ -113,7 +110,6 @@ pub(super) fn known_instrument(
     Some(std::path::absolute(&path).unwrap_or(path).to_string_lossy().into_owned())
 }
 
-/// Reads the fidelity of a range; the full one by default.
 pub(super) fn read_wanted(report: &mut FindingList, range: &mut TableReader<'_>) -> WantedFidelity {
     let named = Fidelity::ALL.map(|it| (it.name(), WantedFidelity::Level(it)));
     let all: Vec<_> = named.into_iter().chain([("auto", WantedFidelity::Auto)]).collect();

@@ -15,7 +15,6 @@ const DIGITS: usize = 8;
 /// Values of one key for an instrument's file.
 #[derive(Clone, Copy, Debug)]
 pub struct FittedValues<'a> {
-    /// Title and description with the origin of the new instrument.
     pub title: &'a str,
     pub doc: &'a str,
     pub key: KeyIndex,
@@ -23,11 +22,10 @@ pub struct FittedValues<'a> {
     pub values: &'a [(&'a str, f64)],
 }
 
-/// Returns the text of the file of the instrument `name_or_path` with the values `fitted` of a
-/// measured action, for a file in any folder.
+/// Returns the text of the file of the instrument `name_or_path` with the values `fitted`.
 ///
-/// Everything else stays. A parameter that is graded over the compass remains graded: on a straight
-/// line through the new value, with the ends in their old proportion.
+/// Everything else stays. A graded parameter remains on a straight line through the new value, with
+/// the ends in their old proportion.
 ///
 /// # Errors
 /// All mistakes in the instrument or in the new one.
@@ -83,7 +81,6 @@ fn graded(instrument: &Instrument, name: &str, (key, new): (KeyIndex, f64)) -> V
     ends.into_iter().map(|(end, value)| (end, Value::from(value))).collect::<InlineTable>().into()
 }
 
-/// Rounds `value` to the written digits.
 fn short(value: f64) -> f64 {
     format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value)
 }

@@ -41,7 +41,6 @@ pub struct Instrument {
     /// first.
     pub levels: Vec<(Fidelity, String)>,
     pub voicing: Voicing,
-    /// Instrument that this one was made from, if its file names one.
     pub based: Option<Based>,
 }
 
@@ -194,17 +193,14 @@ impl Instrument {
     }
 }
 
-/// Use of `base` in an instrument's file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum BaseUse {
     Allowed,
     Refused,
 }
 
-/// Returns the embedded instrument with `model` and `preset`; without a match, or if no preset is
-/// named and the parameters are arbitrary, the first one with that model.
-///
-/// Knowledge of an instrument's stability applies to its model, too.
+/// Returns the embedded instrument with `model` and `preset`, or else the first one with that
+/// model: knowledge of its stability applies to the model, too.
 pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Arc<Instrument>> {
     let all = Instrument::of_model(model);
     let same = |it: &&Arc<Instrument>| {
@@ -235,7 +231,6 @@ pub fn instrument_heads() -> Vec<InstrumentHead> {
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct InstrumentInfo {
     pub name: String,
-    /// Description in a few words.
     pub title: String,
     pub model: &'static str,
     pub preset: &'static str,

@@ -32,21 +32,15 @@ impl KeyVoice {
     }
 }
 
-/// Contents of `[[keys]]`.
 pub(super) struct ReadKeys {
-    /// Voicing of each key; `None` for a silent one.
     pub(super) voicings: Vec<Option<Voicing>>,
-    /// Ranges, in the order of the file.
     pub(super) ranges: Vec<KeyRange>,
-    /// Ranges with a fidelity that is chosen at start.
     pub(super) auto: Vec<AutoFidelity>,
 }
 
-/// Context of reading keys.
 #[derive(Clone, Copy)]
 pub(super) struct KeyReading<'a> {
     pub(super) library: &'a Library,
-    /// Loop in which instruments must be stable, if they must.
     pub(super) in_loop: Option<LoopSettings<'a>>,
 }
 
@@ -103,10 +97,8 @@ fn refuse_namesake(
     }
 }
 
-/// Initial voicing of a range.
 struct RangeVoicing {
     voicing: Voicing,
-    /// Levels from which the host chooses, if the scene leaves that to it.
     levels: Option<Vec<FidelityLevel>>,
 }
 
@@ -194,7 +186,6 @@ fn refuse_overlap(report: &mut FindingList, (range, place): ReadRange, taken: &[
     }
 }
 
-/// Reports parameters without a model.
 fn refuse_parameters(report: &mut FindingList, reader: &mut TableReader<'_>) {
     if let Some(entry) = reader.take("parameters") {
         let message = "parameters stand beside fidelity \"auto\", which chooses their model";
@@ -317,7 +308,6 @@ fn auto(
     Some(RangeVoicing { voicing: first.voicing.clone(), levels: Some(levels) })
 }
 
-/// Reports an instrument at `place` that generates energy in the scene's loop.
 fn refuse_unstable(
     report: &mut FindingList,
     place: SourcePlace,

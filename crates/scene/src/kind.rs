@@ -60,7 +60,6 @@ pub enum FileKind {
     Scene,
     Instrument,
     Model,
-    /// A MIDI file.
     Piece,
 }
 

@@ -14,11 +14,9 @@
 //! | `embedded`, `source` | files that are part of the program, and files on the disk |
 //! | `read`, `quantity`, `setting`, `overrides` | the language of all kinds of file |
 //!
-//! Every value is within its range and every name exists. Not checked here: whether the machine
-//! has the ports and boards that a scene requires.
-//!
-//! Paths of models, instruments and performances are relative to the file that names them, or to
-//! the working directory where an override or an embedded scene does.
+//! Every value is within its range and every name exists. Ports and boards are not checked here.
+//! Paths are relative to the file that names them, or to the working directory where an override or
+//! an embedded scene does.
 
 mod based;
 mod checked_file;

@@ -47,7 +47,6 @@ impl Render {
     }
 }
 
-/// Returns the name of a setting of `[render]`; `None` for others.
 fn setting(change: &Override) -> Option<&str> {
     change.name.strip_prefix("render.")
 }

@@ -15,18 +15,15 @@ use documents::toml::{FindingList, TomlNode};
 
 /// Settings with which an instrument is quiet when its keys are left alone.
 ///
-/// They are measured: `tests/quiet.rs` plays every instrument and leaves it alone. A key with a
-/// loop that generates energy is muted while it runs, see [`haptics::PassivityObserver`]; a scene
-/// that is known to end so is rejected beforehand.
+/// They are measured: `tests/quiet.rs` plays every instrument and leaves it alone. A loop that
+/// generates energy is muted while it runs, see [`haptics::PassivityObserver`].
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Needs {
-    /// Reason for use in `letoff simulate` only, if any.
     offline: Option<String>,
     /// Stable combinations, if not all are.
     stable: Vec<Stable>,
 }
 
-/// Rates and estimators with which an instrument is stable.
 #[derive(Clone, PartialEq, Debug)]
 struct Stable {
     /// Slowest rate of the tick (Hz).
@@ -37,8 +34,7 @@ struct Stable {
     min_jerk_density: Option<f64>,
     /// Upper bound of the Kalman filter's jerk density (m²/s⁵): the quickest filter.
     max_jerk_density: Option<f64>,
-    /// Largest stiffness of the coupling between the player's key and the model's, which is then
-    /// required (N/m).
+    /// Largest stiffness of the coupling between the two keys, which is then required (N/m).
     max_coupling_stiffness: Option<f64>,
     /// Least damping of that coupling (N s/m).
     min_coupling_damping: Option<f64>,

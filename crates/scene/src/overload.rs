@@ -28,7 +28,6 @@ pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>) -> Ove
     rules
 }
 
-/// Reads names that must not repeat.
 fn read_order(
     report: &mut FindingList,
     reader: &mut TableReader<'_>,

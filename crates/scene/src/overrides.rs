@@ -75,7 +75,6 @@ fn ranges_of(root: &mut TomlNode) -> &mut [TomlNode] {
     }
 }
 
-/// Removes the file's voice if `steps` set another.
 fn replace_voice(range: &mut TomlNode, steps: &[&str]) {
     if !matches!(steps, ["instrument" | "model"]) {
         return;
@@ -88,8 +87,7 @@ fn replace_voice(range: &mut TomlNode, steps: &[&str]) {
     }
 }
 
-/// Sets the value at `steps` of a table; the first `depth` of them have led to `node`. Unknown
-/// names are found later.
+/// Sets the value at `steps` of a table; the first `depth` of them led to `node`.
 fn set(
     report: &mut FindingList,
     node: &mut TomlNode,
@@ -120,7 +118,6 @@ fn set(
     set(report, &mut entry.node, steps, depth + 1, value);
 }
 
-/// Returns the entry called `name`, created if missing.
 fn entry<'a>(entries: &'a mut Vec<TomlEntry>, name: &str, place: SourcePlace) -> &'a mut TomlEntry {
     let found = entries.iter().position(|entry| entry.name == name);
     let index = found.unwrap_or_else(|| {

@@ -34,7 +34,6 @@ pub(super) enum QuantityError {
     WrongUnit(f64, String),
 }
 
-/// Returns a number in everyday notation.
 pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if value.is_nan() {

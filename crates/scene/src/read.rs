@@ -115,7 +115,6 @@ fn plain_text(report: &FindingList, node: &TomlNode) -> Option<String> {
     }
 }
 
-/// Returns the text of `node`, called `name`; it must not be empty.
 pub(super) fn text(report: &mut FindingList, name: &str, node: &TomlNode) -> Option<String> {
     let Some(text) = plain_text(report, node) else {
         wrong_kind(report, name, node, "text", "write it in quotes");

@@ -4,7 +4,6 @@ use super::quantity::Quantity;
 use super::read::{self, TableReader};
 use documents::toml::{FindingList, TomlKind};
 
-/// Processor numbers that are accepted.
 const PROCESSOR: Quantity = Quantity { unit: "1", range: (0.0, 1023.0) };
 
 /// Scheduling of the threads of the tick.

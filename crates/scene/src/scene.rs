@@ -56,16 +56,13 @@ pub struct Scene {
     pub overload: OverloadRules,
     /// Settings by which voices are computed.
     pub render: Render,
-    /// Parameters of the keys.
     pub rig: Rig,
     /// The voice of each of the 88 keys; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
-    /// Where the values of each voice come from.
     pub voicings: Vec<Option<Voicing>>,
     /// The key ranges, in the order of the file: MIDI's channels from 1 on.
     pub ranges: Vec<KeyRange>,
     pub fidelity: FidelityChoice,
-    /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
     /// The pieces of the virtual pianist, if there are any.
@@ -75,14 +72,10 @@ pub struct Scene {
 /// The output of strikes, and their velocities; and what program changes switch to.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Midi {
-    /// The port or file.
     pub output: MidiOutput,
-    /// The curve from hammer speeds to velocities.
     pub curve: VelocityCurve,
-    /// The port on which program changes are heard.
     pub input: MidiInput,
-    /// The instruments of the programs from 1 on, names or paths; those of General MIDI if there
-    /// are none.
+    /// The instruments of the programs from 1 on, names or paths; those of General MIDI if empty.
     pub programs: Vec<String>,
     pub sound: SoundConfig,
 }
@@ -92,7 +85,6 @@ pub struct Midi {
 pub struct SoundConfig {
     /// `true` if the default sound device plays.
     pub is_live: bool,
-    /// WAV file that is written.
     pub wav: Option<PathBuf>,
     /// SVG file with a picture of the notes.
     pub picture: Option<PathBuf>,
@@ -186,7 +178,6 @@ impl PerformanceSource {
     }
 }
 
-/// Whether instruments must be stable in a scene's loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Stability {
     /// Hands and motors are in the loop.
@@ -196,12 +187,10 @@ enum Stability {
 }
 
 impl Scene {
-    /// Loads the embedded scene of that name, or the file at that path, with `overrides`; `library`
-    /// reads the descriptions that it names.
+    /// Loads the embedded scene of that name, or the file at that path, with `overrides`.
     ///
-    /// An override is the dotted path of a value and what it becomes: `tick_hz` and `4000`,
-    /// `keys.0.instrument` and `grand-reduced`, `keys.parameters.restitution` and `0.2`
-    /// (of all key ranges).
+    /// An override is a dotted path and its value: `tick_hz` and `4000`, `keys.0.instrument` and
+    /// `grand-reduced`, `keys.parameters.restitution` and `0.2` (of all key ranges).
     ///
     /// # Errors
     ///
@@ -258,10 +247,8 @@ impl Scene {
         Self::check(library, &SourceText::from_bytes(path, text.into_bytes())?, overrides)
     }
 
-    /// Returns the recorded scene of `text`, called `name`; relative paths are to the
-    /// working directory.
-    ///
-    /// What was recorded is run again without a hand or a motor, whether it is stable or not.
+    /// Returns the recorded scene of `text`, called `name`, whether it is stable or not; relative
+    /// paths are to the working directory.
     ///
     /// # Errors
     ///
@@ -271,7 +258,6 @@ impl Scene {
         Self::read_from(library, &source, &[], Stability::Recorded)
     }
 
-    /// Reads a scene from `source`.
     pub(super) fn check(
         library: &Library,
         source: &SourceText,
@@ -299,7 +285,6 @@ impl Scene {
         report.verdict(read)
     }
 
-    /// Reads everything, with a default for what is missing or wrong.
     fn read(
         report: &mut FindingList,
         reader: &mut TableReader<'_>,
@@ -411,7 +396,6 @@ fn read_midi(report: &mut FindingList, scene: &mut TableReader<'_>) -> Midi {
     midi
 }
 
-/// Reads the instruments of programs; each must be there.
 fn read_programs(report: &mut FindingList, midi: &mut TableReader<'_>) -> Vec<String> {
     let Some(entry) = midi.take("programs") else { return Vec::new() };
     let TomlKind::List(nodes) = &entry.node.kind else {
@@ -427,7 +411,6 @@ fn read_programs(report: &mut FindingList, midi: &mut TableReader<'_>) -> Vec<St
     programs
 }
 
-/// Remedy for an impossible output.
 const OUTPUTS: &str = "give one of: a file that ends in .mid, raw: and a device, part of a port's name, virtual, none";
 
 /// Returns the output with the name `output`, as a scene has it.
@@ -522,7 +505,6 @@ fn read_pieces(
     pieces
 }
 
-/// Returns the truth value `name`, `false` without one.
 fn read_truth(
     report: &mut FindingList,
     table: &mut TableReader<'_>,
@@ -537,7 +519,6 @@ fn read_truth(
     false
 }
 
-/// Returns the embedded performance or the file that is `wanted`.
 fn find_performance(
     report: &mut FindingList,
     place: SourcePlace,

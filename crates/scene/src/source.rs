@@ -7,14 +7,11 @@ use documents::{Diagnostic, Diagnostics, escaped, shown};
 /// Longest accepted file (bytes); the largest shipped scene has two thousand.
 const LONGEST: u64 = 1 << 18;
 
-/// Text of a scene or instrument, embedded or from a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct SourceText {
-    /// Name for use in diagnostics.
     pub(super) file: String,
     /// Name in lists: the file's, without its extension.
     pub(super) name: String,
-    /// Folder of relative paths in the text.
     pub(super) folder: PathBuf,
     pub(super) text: String,
     pub(super) is_embedded: bool,
@@ -112,11 +109,9 @@ impl SourceText {
 pub(super) enum SourceError {
     /// Unknown name or path: message and remedy.
     Unknown((String, String)),
-    /// Existing but unreadable file.
     Unreadable(Diagnostics),
 }
 
-/// Returns `true` if `text` is meant as a path, not as a name.
 fn is_path(text: &str) -> bool {
     mechanism::is_path(text)
 }

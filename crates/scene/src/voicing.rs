@@ -11,7 +11,6 @@ use super::read::{self, TableReader, unknown};
 use documents::quoted;
 use documents::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
 
-/// Values of a parameter that differ from the preset.
 #[derive(Clone, PartialEq, Debug)]
 enum ChangedValues {
     Graded(Graded),
@@ -51,9 +50,7 @@ impl Graded {
 #[derive(Clone, Debug)]
 pub struct Voicing {
     pub model: Arc<LoadedModel>,
-    /// Index of a preset of the model.
     preset: usize,
-    /// Values that differ from the preset, by parameter.
     changed: Vec<Option<ChangedValues>>,
     /// File of the instrument, if it is no part of the program.
     pub file: Option<Arc<InstrumentFile>>,
@@ -128,7 +125,6 @@ impl Voicing {
         self.changed[index] = Some(ChangedValues::ByKey(values));
     }
 
-    /// Reads the entries `model` and `preset`; without a name the model's first preset is used.
     pub(super) fn read(
         report: &mut FindingList,
         reader: &mut TableReader<'_>,
@@ -198,7 +194,6 @@ impl Voicing {
     }
 }
 
-/// Reads a number, or `{ bass = …, treble = … }`.
 fn read_graded(report: &mut FindingList, parameter: &Parameter, node: &TomlNode) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
     if !matches!(node.kind, TomlKind::Table(_)) {

@@ -54,7 +54,6 @@ fn pianist(list: &PlayList) -> Table {
     table
 }
 
-/// Returns a path that does not depend on the folder of the file.
 fn absolute(path: &std::path::Path) -> String {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).to_string_lossy().into_owned()
 }
@@ -136,7 +135,6 @@ fn board(number: u8, keys: KeyRange) -> Value {
     table.into()
 }
 
-/// Returns the name of a key's note, 0 (A0) ..= 87 (C8).
 fn key(number: u8) -> String {
     KeyIndex::new(number).map_or_else(String::new, |key| key.to_string())
 }

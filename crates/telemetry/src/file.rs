@@ -3,7 +3,7 @@
 use std::fs::{self, File};
 use std::{io, path::Path};
 
-/// Opens the file `path`; rejects pipes, which would block, and files without a size.
+/// Opens `path`; rejects pipes, which would block, and files without a size.
 pub(crate) fn open(path: &Path) -> io::Result<File> {
     if fs::metadata(path)?.is_file() {
         return File::open(path);

@@ -67,9 +67,7 @@ pub struct HostStatus {
     #[serde(flatten)]
     pub run: RunProgress,
     pub boards: Vec<BoardState>,
-    /// Clients of the stream.
     pub clients: u32,
-    /// The file of the recording, if there is one.
     pub recording: Option<String>,
     /// Begin of the recording (s since 1970).
     #[serde(default)]
@@ -95,20 +93,15 @@ pub struct RunProgress {
     pub tick_hz: u32,
     /// How often the play list has begun, if it begins again and again.
     pub pass: Option<u64>,
-    /// Keys with a voice.
     pub voices: u32,
     /// Voices whose equations were not computed in the last tick.
     pub asleep: u32,
     pub deadlines: DeadlineStatus,
-    /// Hammers that met their string.
     pub strikes: u64,
-    /// Turns that ended in a fault.
     pub faults: u64,
     /// Key events for which a ring had no room.
     pub dropped: u64,
-    /// Keys whose voices are muted, by name.
     pub muted: Vec<String>,
-    /// Keys whose voices are muted, by number.
     #[serde(default)]
     pub muted_keys: Vec<u32>,
     /// Work that is left out now, since ticks have more work than time.
@@ -125,7 +118,6 @@ pub struct RunProgress {
 pub struct DeadlineStatus {
     /// Ticks so far, run or not.
     pub ticks: u64,
-    /// Ticks that were never run.
     pub skipped: u64,
     /// Ticks that were run and missed their deadline since their voices took too long.
     pub own_work: u64,
@@ -141,7 +133,6 @@ pub struct DeadlineStatus {
 /// A board, simulated or not.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct BoardState {
-    /// The name of its link.
     pub link: String,
     pub number: u32,
     /// Its first key, 0 (A0) to 87 (C8), and how many.

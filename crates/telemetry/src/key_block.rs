@@ -3,7 +3,7 @@
 use crate::KeyBlock;
 
 impl KeyBlock {
-    /// Bit of `flags`: the key lies still and its voice sleeps.
+    /// Bit of `flags`: the key rests and its voice sleeps.
     pub const ASLEEP: u8 = 1;
     /// Bits of `flags` that describe a row. A row with [`Self::ASLEEP`] alone holds until the next.
     pub const STATE: u8 = 1 | 2 | 4;

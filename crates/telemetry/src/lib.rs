@@ -1,9 +1,8 @@
 //! Observation of a host: messages, the stream that carries them, and recordings.
 //!
-//! Nothing here knows a key's physics or a clock. The host fills the messages; windows, viewers and
-//! files take them. [`recording`] writes them to files and reads them back.
-//! `proto/letoff/telemetry.proto` describes every message once; the types here and the schemas for
-//! public viewers are generated from it.
+//! Nothing here knows a key's physics or a clock. [`recording`] writes messages to files and reads
+//! them back. The types here and the schemas for viewers are generated from
+//! `proto/letoff/telemetry.proto`.
 //!
 //! | topic | message | when |
 //! |---|---|---|

@@ -1,7 +1,6 @@
 //! Figures of a host in the text format of Prometheus, version 0.0.4.
 //!
-//! They are written from one snapshot at a time; a library's registry would store each a second
-//! time.
+//! They are written from one snapshot; a library's registry would store each a second time.
 
 use std::fmt::Write as _;
 
@@ -48,7 +47,6 @@ pub fn lost_messages(lost: u64) -> String {
     text.0
 }
 
-/// Families of figures, each with its kind and help before its samples.
 #[derive(Debug, Default)]
 struct MetricsText(String);
 

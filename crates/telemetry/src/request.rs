@@ -25,20 +25,17 @@ pub enum Request {
         instrument: String,
         keys: Option<String>,
     },
-    /// Saves differences from an instrument as an instrument of their own, among those that clients
-    /// may use.
+    /// Saves differences from an instrument as an instrument of their own, usable by clients.
     SaveInstrument {
         /// Its name: that of a file without folder and ending.
         name: String,
         /// Name of the instrument that is changed, as its voices report it.
         base: String,
         differences: Vec<ParameterDifferences>,
-        /// `true` to replace an instrument with this name.
         overwrite: bool,
     },
     /// Reads the description of a model and lets its newest version play.
     Load {
-        /// File of the description.
         description: String,
         /// The keys, as `C4..B5`; if `None`, those that play another version of it.
         keys: Option<String>,

@@ -63,10 +63,9 @@ pub trait Source: fmt::Debug {
 /// A moment of a recording that is worth finding again.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Mark {
-    /// Time of the moment (ns since 1970).
+    /// Time (ns since 1970).
     pub at: u64,
     pub text: String,
-    /// `true` for a failure.
     pub is_fault: bool,
 }
 

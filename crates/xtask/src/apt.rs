@@ -49,7 +49,6 @@ fn confirm() -> Result<(), Error> {
     if needs.is_empty() { Ok(()) } else { Err(Error::Missing { needs, because }) }
 }
 
-/// Returns the words before `apt-get`, or the reason why it cannot be used.
 fn prefix() -> Result<&'static [&'static str], &'static str> {
     if !has_program("apt-get") {
         Err("there is no apt-get here")

@@ -41,7 +41,6 @@ pub(crate) fn target() -> Result<PathBuf, Error> {
     target.ok_or_else(|| Error::unobtainable("cargo's target folder", "this program was moved"))
 }
 
-/// Returns the command as typed, without the program's folder.
 pub(crate) fn words(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let name = program.file_stem().unwrap_or(program.as_os_str());

@@ -27,7 +27,6 @@ pub(crate) fn play(forwarded: Vec<OsString>) -> Result<(), Error> {
     command::become_command(&mut cargo(ours.into_iter().chain(arguments)))
 }
 
-/// Returns the options of sound and picture; installs a font if there is none.
 fn outputs() -> Result<Vec<String>, Error> {
     let has_font = || FONTS.iter().any(|it| Path::new(it).is_file());
     if !has_font()

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 
-/// Creates `folder`, or empties it.
 pub(crate) fn empty(folder: &Path) -> Result<(), Error> {
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(|cause| Error::file(folder, cause))?;
@@ -17,7 +16,6 @@ pub(crate) fn make(folder: &Path) -> Result<(), Error> {
     fs::create_dir_all(folder).map_err(|cause| Error::file(folder, cause))
 }
 
-/// Copies `from`, or the target of its link.
 pub(crate) fn copy(from: &Path, to: &Path) -> Result<(), Error> {
     fs::copy(from, to).map(drop).map_err(|cause| Error::file(from, cause))
 }

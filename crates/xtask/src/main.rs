@@ -1,7 +1,6 @@
 //! Chores of the workspace; `cargo xtask help` lists them.
 //!
-//! Nothing here is part of the product, and nothing here needs a system library: xtask must run on
-//! a machine on which they are still missing.
+//! Nothing here needs a system library: xtask must run on a machine on which they are missing.
 #![forbid(unsafe_code)]
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command for people")]
 

@@ -1,12 +1,10 @@
-//! The peers bench: installs other people's solvers, builds, and runs all side by side. Missing
-//! peers are skipped, and the report names them.
+//! The peers bench: installs other people's solvers, builds, and runs all side by side.
 
 use std::path::{Path, PathBuf};
 use std::{ffi::OsString, process::Command};
 
 use crate::{apt, command, error::Error, needs::succeeds};
 
-/// Folder of the bench, from the workspace's root.
 const BENCH: &str = "benches/peers";
 
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -57,7 +55,6 @@ fn out(root: &Path, options: &PeerOptions) -> PathBuf {
     }
 }
 
-/// Builds the program around SUNDIALS CVODE.
 fn cvode(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     const LIBRARIES: [&str; 6] = [
         "-lsundials_cvode",
@@ -86,7 +83,6 @@ fn siconos() -> Result<PathBuf, Error> {
     Ok(PYTHON.into())
 }
 
-/// Returns a Python with the peers of PyPI, in the bench's versions.
 fn python(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     python_with(work, &root.join(BENCH).join("external/requirements.txt"))
 }

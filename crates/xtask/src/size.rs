@@ -24,7 +24,6 @@ struct RustLines {
     tests: usize,
 }
 
-/// A struct or trait, with its number of fields or methods.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 struct CountedItem {
     members: usize,
@@ -166,7 +165,6 @@ fn indentation(line: &str) -> &str {
     line.split_at(line.len() - line.trim_start().len()).0
 }
 
-/// Returns name and members of each multi-line item that begins with `keyword`.
 fn items<'a>(
     lines: &'a [&'a str],
     keyword: &'a str,
@@ -188,7 +186,6 @@ fn items<'a>(
     })
 }
 
-/// Returns `true` if a line in a struct, without its indentation, begins a field.
 fn is_field(line: &str) -> bool {
     let name = line.trim_start_matches("pub(crate) ").trim_start_matches("pub(super) ");
     let name = name.trim_start_matches("pub ").split(':').next().unwrap_or_default();
@@ -197,7 +194,6 @@ fn is_field(line: &str) -> bool {
         && name.chars().all(|it| it.is_alphanumeric() || it == '_')
 }
 
-/// Returns `true` if a line in a trait, without its indentation, begins a method.
 fn is_method(line: &str) -> bool {
     ["fn ", "const fn ", "unsafe fn ", "async fn "].iter().any(|start| line.starts_with(start))
 }

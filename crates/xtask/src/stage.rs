@@ -7,17 +7,14 @@ use crate::{command, error::Error};
 
 #[derive(Debug)]
 pub(crate) struct Stage {
-    /// Purpose in a few words.
     pub name: &'static str,
     pub work: StageWork,
-    /// Reason to skip it, if known before.
     pub skipped: Option<&'static str>,
 }
 
 #[derive(Debug)]
 pub(crate) enum StageWork {
     Command(Command),
-    /// A function of ours, which may skip itself.
     Chore(fn() -> Result<Done, Error>),
 }
 

@@ -7,28 +7,23 @@ use crate::guest_boards::{self, CheckScope};
 use crate::stage::{self, Stage, StageWork};
 use crate::{apt, error::Error, guest::TriedProgram, guest_midi, optional, oracle};
 
-/// Variable with proptest's seed.
 const SEED_NAME: &str = "PROPTEST_RNG_SEED";
 
 /// Seed of property tests: equal cases in each run, so that a failure belongs to the change. `cargo
 /// test` draws other cases; the variable overrides the seed.
 const SEED: &str = "1994";
 
-/// Variable with the program for tests, which is built with them.
 const PROGRAM: &str = "LETOFF_PROGRAM";
 
 /// Crates of the tick, which must build without the standard library.
 const NO_STD: [&str; 4] = ["pode", "instruments", "scheduler", "firmware-protocol"];
 
-/// A target without the standard library.
 const BARE_TARGET: &str = "thumbv7em-none-eabihf";
 
 const NOT_INSTALLED: &str = "the target is not installed (rustup target add thumbv7em-none-eabihf)";
 
-/// Variable with the emulated machines of tests: `none` skips them.
 const MACHINES: &str = "LETOFF_MACHINES";
 
-/// Tests of firmware on an emulated microcontroller.
 const FIRMWARE: [&str; 3] = ["--workspace", "--test=firmware", "--test=mcu"];
 
 /// Tests of the host with such firmware, by their files and names.

@@ -35,7 +35,6 @@ pub(crate) fn ensure(wanted: &[&[Tool]]) -> Result<(), Error> {
     }
 }
 
-/// Returns the packages of the missing programs, each once.
 pub(crate) fn packages(tools: &[&[Tool]], is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
     let missing = tools.iter().copied().flatten().filter(|(program, _)| !is_there(program));
     let mut packages: Vec<_> = missing.map(|(_, package)| *package).collect();

@@ -39,7 +39,6 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
     stop_state_ui(ui.ctx(), &mut app.state, bar.response.rect);
 }
 
-/// Draws source and scene, as far as there is room.
 fn status_ui(ui: &mut Ui, app: &mut App) {
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
     ui.weak(app.state.source.name());
@@ -51,7 +50,6 @@ fn status_ui(ui: &mut Ui, app: &mut App) {
     }
 }
 
-/// Draws the state of the source and the host, and the role if it is not the owner's.
 fn pill_ui(ui: &mut Ui, state: &AppState) {
     let shown = state.source_state();
     let color = shown.severity().map_or(theme::line(0, ui), |it| theme::severity(it, ui));

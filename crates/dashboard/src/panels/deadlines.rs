@@ -130,7 +130,7 @@ fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
         });
 }
 
-/// Returns a half transparent legend: in a narrow tile it covers much.
+/// Returns a half transparent legend, since in a narrow tile it covers much.
 fn legend() -> Legend {
     Legend::default().text_style(TextStyle::Small).position(Corner::RightTop).background_alpha(0.5)
 }
@@ -144,7 +144,6 @@ const fn color(cause: TickOutcome) -> Color32 {
     }
 }
 
-/// Draws the last ticks, each late one in the colour of its cause.
 fn timeline_ui(ui: &mut Ui, state: &AppState, height: f32) {
     let ticks = state.store.timing.ticks();
     let skipped = ticks.len().saturating_sub(SHOWN);

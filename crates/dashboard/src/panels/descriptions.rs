@@ -42,7 +42,6 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws the fields to open another description; returns the request.
     fn open_ui(&mut self, ui: &mut Ui) -> Option<Request> {
         let typed = ui.horizontal_wrapped(|ui| {
             let label = ui.label("file");
@@ -63,7 +62,6 @@ impl View {
     }
 }
 
-/// Draws a version of a description; returns the request to read it again.
 fn description_ui(
     ui: &mut Ui,
     it: &Description,
@@ -118,7 +116,6 @@ fn keys_of(it: &Description, store: &Store) -> usize {
     store.voices().filter(|(_key, voice)| voice.version == it.version).count()
 }
 
-/// Returns a sentence about the version, its keys and its time.
 fn standing(it: &Description, store: &Store, catalogue: &Catalogue) -> String {
     let n = keys_of(it, store);
     let since = match it.since.saturating_sub(catalogue.began) {

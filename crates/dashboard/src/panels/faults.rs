@@ -30,7 +30,6 @@ impl super::View for View {
 #[derive(Default)]
 struct Clicked {
     key: Option<u8>,
-    /// Time in the scopes (s).
     at: Option<f64>,
 }
 
@@ -81,7 +80,6 @@ fn faulty_key_ui(ui: &mut Ui, state: &AppState, key: u8, clicked: &mut Clicked) 
     ui.separator();
 }
 
-/// Draws an event; unfolded, with its meaning.
 fn event_ui(
     ui: &mut Ui,
     state: &AppState,

@@ -51,7 +51,6 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws the keys for an instrument: typed, or selected on the keyboard.
     fn range_ui(&mut self, ui: &mut Ui, state: &AppState) -> Option<RangeInclusive<u8>> {
         let mut text = self.range.clone().unwrap_or_else(|| names::range_name(&state.range()));
         ui.horizontal_wrapped(|ui| {
@@ -76,7 +75,6 @@ impl View {
     }
 }
 
-/// Draws an instrument with the keys that it plays; returns the choice, if it was chosen.
 fn instrument_ui(
     ui: &mut Ui,
     instrument: &Instrument,
@@ -126,7 +124,6 @@ fn model_ui(ui: &mut Ui, model: &Model) {
     ui.weak(&model.summary);
 }
 
-/// Draws the instruments of all keys; returns the clicked keys.
 fn runs_ui(ui: &mut Ui, store: &Store) -> Option<RangeInclusive<u8>> {
     let mut clicked = None;
     Grid::new("now").num_columns(3).striped(true).spacing([14.0, 3.0]).show(ui, |ui| {

@@ -41,7 +41,6 @@ pub(super) struct View {
     /// `true` if keys of the computer play notes.
     #[serde(skip)]
     plays: bool,
-    /// The lowest drawn key: a C.
     #[serde(skip)]
     lowest: u8,
     /// Force of the computer keyboard, and of the mouse at a key's front (N).
@@ -223,7 +222,6 @@ impl View {
         response
     }
 
-    /// Sends requests for the keys with a new, another or no action.
     fn send(&mut self, state: &mut AppState, pressed: BTreeMap<u8, Hand>) {
         let before = std::mem::replace(&mut self.pressed, pressed);
         for (key, hand) in before.iter().filter(|(key, _)| !self.pressed.contains_key(key)) {

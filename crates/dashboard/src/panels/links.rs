@@ -62,7 +62,6 @@ impl super::View for View {
     }
 }
 
-/// Draws the whole state of each board that is not well.
 fn troubles_ui(ui: &mut Ui, links: &Links) {
     for board in links.boards.iter().filter(|it| it.severity() != Severity::Well) {
         let line = line_name(links, board.line);
@@ -72,7 +71,6 @@ fn troubles_ui(ui: &mut Ui, links: &Links) {
     }
 }
 
-/// Draws lines and boards; returns the board to show its light.
 fn tables_ui<'a>(ui: &mut Ui, state: &AppState, links: &'a Links) -> Option<&'a Board> {
     ui.strong("Lines");
     table("lines", &LINES).show(ui, |ui| {
@@ -87,7 +85,6 @@ fn tables_ui<'a>(ui: &mut Ui, state: &AppState, links: &'a Links) -> Option<&'a 
     table("boards", &BOARDS).show(ui, |ui| boards_ui(ui, state, links)).inner
 }
 
-/// Draws all boards; returns the one to show its light.
 fn boards_ui<'a>(ui: &mut Ui, state: &AppState, links: &'a Links) -> Option<&'a Board> {
     header_ui(ui, &BOARDS);
     let mut asked = None;
@@ -132,7 +129,6 @@ fn load_color(line: &Line) -> Color32 {
     }
 }
 
-/// Draws a board; returns `true` if it is to show its light.
 fn board_ui(ui: &mut Ui, state: &AppState, links: &Links, board: &Board) -> bool {
     let line = line_name(links, board.line);
     ui.label(board.id.to_string());
@@ -156,7 +152,6 @@ fn line_name(links: &Links, line: u32) -> Cow<'_, str> {
     named.map_or_else(|| line.to_string().into(), |line| line.name.as_str().into())
 }
 
-/// Draws the button for a board's light, and beside it the host's answer.
 fn light_ui(ui: &mut Ui, state: &AppState, board: &Board, line: &str) -> bool {
     ui.horizontal(|ui| {
         let button = ui.add_enabled(state.may_change(), Button::new("Identify").small());
@@ -185,7 +180,6 @@ fn keys(board: &Board) -> String {
     range.map_or_else(|| "–".to_owned(), |(low, high)| names::range_name(&(low..=high)))
 }
 
-/// Draws a count, marked if it is more than `most`.
 fn count_ui(ui: &mut Ui, count: u64, most: u64) {
     let text = RichText::new(count.to_string());
     ui.label(if most < count { text.color(theme::fault(ui)) } else { text.weak() });

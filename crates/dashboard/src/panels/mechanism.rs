@@ -123,7 +123,6 @@ fn mechanism_ui(ui: &mut Ui, state: &mut AppState) {
     }
 }
 
-/// Text instead of a mechanism with unknown posture.
 const WAITS: &str = "Waiting for this key's first row: how it stands is not known yet.";
 
 /// Returns `true` if the pose of every body that this mode shows is known.
@@ -132,7 +131,6 @@ fn is_posed(drawing: &Drawing, mode: Option<u8>, value: &impl Fn(&str) -> f64) -
     seen.map(|body| BodyPose::of(body, value)).all(|pose| pose.is_known())
 }
 
-/// Returns `true` if a drawing for `modes` is visible in this mode.
 fn is_shown(modes: &[u32], mode: Option<u8>) -> bool {
     modes.is_empty() || mode.is_none_or(|it| modes.contains(&it.into()))
 }
@@ -195,8 +193,7 @@ fn paint_outline(painter: &Painter, outline: &Outline, pose: &BodyPose, scale: &
     }
 }
 
-/// Fills an outline that is not convex, cut in the body's own axes: the triangles stay the same
-/// however the body moves, and nothing flickers.
+/// Fills an outline that is not convex, cut in the body's own axes, so that nothing flickers.
 fn filled(corners: &[ScreenPoint], points: &[Pos2], color: Color32) -> Shape {
     let mut mesh = Mesh::default();
     for point in points {
@@ -240,7 +237,6 @@ fn paint_coil(painter: &Painter, coil: &Coil, poses: &[BodyPose], scale: &Scale)
     painter.add(Shape::line((0..=48).map(wave).collect(), Stroke::new(1.4, theme::GREEN)));
 }
 
-/// Draws a ruler of a centimetre, or of another round length.
 fn paint_ruler(ui: &Ui, painter: &Painter, scale: &Scale, rect: Rect) {
     let length = number::round(f64::from(rect.width()) * 0.25 / scale.points_per_metre);
     let width = number::f32(length * scale.points_per_metre);

@@ -10,7 +10,6 @@ use crate::app_state::AppState;
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// Text that listed messages must contain.
     filter: String,
 }
 

@@ -135,8 +135,7 @@ pub(crate) fn scrolled_ui<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -
     area.show(ui, contents).inner
 }
 
-/// Draws a share of a whole as a bar; NaN is unknown. The number is beside the bar, where it is
-/// readable on light ground.
+/// Draws a share of a whole as a bar; NaN is unknown. The number is beside the bar for readability.
 fn share_ui(ui: &mut Ui, share: f64, color: Color32) {
     if !share.is_finite() {
         ui.weak("–").on_hover_text("not known: nothing tells how much it can carry");

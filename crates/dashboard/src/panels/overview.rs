@@ -39,7 +39,6 @@ fn overview_ui(ui: &mut Ui, state: &mut AppState) {
     range_ui(ui, state, area);
 }
 
-/// Draws the meaning of the colours, and the selected key in words.
 fn legend_ui(ui: &mut Ui, state: &AppState) {
     ui.horizontal(|ui| {
         let key = state.view.selected;
@@ -161,7 +160,6 @@ fn paint_key(ui: &Ui, state: &AppState, key: u8, rect: Rect, response: &Response
     }
 }
 
-/// Returns the colour of ivory or ebony, darker if the voice is not run.
 fn fill(ui: &Ui, summary: KeySummary, key: u8, response: &Response) -> Color32 {
     let plain = match (names::is_black(key), ui.visuals().dark_mode) {
         (true, _) => Color32::from_rgb(0x2A, 0x2E, 0x35),
@@ -206,7 +204,6 @@ fn paint_mode(painter: &Painter, summary: KeySummary, rect: Rect) {
     }
 }
 
-/// Draws a bar of the force as a share of the scene's limit, on a root: small ones count.
 fn paint_force(painter: &Painter, state: &AppState, summary: KeySummary, rect: Rect) {
     let limit = state.store.catalogue.as_ref().map_or(20.0, |it| number::f32(it.force_limit));
     let share = (summary.force.abs() / limit.max(1.0)).clamp(0.0, 1.0).sqrt();

@@ -24,7 +24,6 @@ const MADE: std::ops::RangeInclusive<u8> = 6..=7;
 pub(super) struct View {
     /// Length of the time shown (s).
     window: f64,
-    /// Settings by name that were typed and not sent yet.
     #[serde(skip)]
     typed: BTreeMap<String, String>,
 }
@@ -83,7 +82,6 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws the settings of the scene, and sends the typed ones.
     fn settings_ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         let scene = state.store.catalogue.as_ref().map_or("", |it| it.scene_text.as_str());
         let settings = settings(scene);
@@ -120,7 +118,7 @@ impl View {
     }
 }
 
-/// Returns the settings in the table `render` of `scene` that change while it plays, as written.
+/// Returns the settings in the table `render` of `scene`, as written.
 fn settings(scene: &str) -> Vec<(String, String)> {
     let lines = scene.lines().skip_while(|line| line.trim() != "[render]").skip(1);
     let lines = lines.take_while(|line| !line.starts_with('['));

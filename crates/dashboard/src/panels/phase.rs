@@ -31,9 +31,7 @@ impl Default for View {
 /// Travel (mm) and force (N), down and up.
 #[derive(Default)]
 struct HysteresisLoop {
-    /// Stretches, each down (0) or up (1).
     ways: Vec<(usize, Vec<[f64; 2]>)>,
-    /// Sums and counts of forces in the middle.
     weights: [(f64, usize); 2],
     last: Option<[f64; 2]>,
     /// `true` if values are missing before the next point.

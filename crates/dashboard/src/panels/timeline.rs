@@ -50,7 +50,6 @@ fn timeline_ui(ui: &mut Ui, state: &mut AppState) {
     }
 }
 
-/// Draws the controls of the speed; returns the position to move to, if any.
 fn play_ui(ui: &mut Ui, timeline: &mut dyn Timeline, seconds: impl Fn(u64) -> f64) -> Option<u64> {
     let mut target = None;
     ui.horizontal_wrapped(|ui| {
@@ -79,7 +78,6 @@ fn play_ui(ui: &mut Ui, timeline: &mut dyn Timeline, seconds: impl Fn(u64) -> f6
     target
 }
 
-/// Returns the position so many seconds forward or back.
 fn stepped(timeline: &dyn Timeline, seconds: f64) -> u64 {
     let by = number::floor(seconds.abs() * 1e9);
     let at = timeline.at();
@@ -88,7 +86,7 @@ fn stepped(timeline: &dyn Timeline, seconds: f64) -> u64 {
     to.clamp(first, last)
 }
 
-/// Draws the whole recording as a line; returns the position of a click or a drag.
+/// Draws the recording as a line; returns the position of a click or a drag.
 fn line_ui(ui: &mut Ui, timeline: &dyn Timeline) -> Option<u64> {
     let size = vec2(ui.available_width(), 26.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
@@ -128,7 +126,6 @@ fn line_ui(ui: &mut Ui, timeline: &dyn Timeline) -> Option<u64> {
     })
 }
 
-/// Formats marks, a line for each text with its number.
 fn summary(marks: &[&Mark]) -> String {
     let mut counts: Vec<(&str, usize)> = Vec::new();
     let mut others = 0;
@@ -146,7 +143,6 @@ fn summary(marks: &[&Mark]) -> String {
     lines.chain((0 < others).then(|| format!("and {others} more"))).collect::<Vec<_>>().join("\n")
 }
 
-/// Draws the marks in view as a list; returns the position of a clicked one.
 fn marks_ui(ui: &mut Ui, marks: &[Mark], from: u64) -> Option<u64> {
     let mut clicked = None;
     let height = ui.text_style_height(&TextStyle::Monospace);

@@ -25,7 +25,6 @@ const GAIN: std::ops::Range<f64> = 0.8..5.0;
 pub struct Heights {
     chosen: BTreeMap<usize, (f64, f64)>,
     automatic: BTreeMap<usize, (f64, f64)>,
-    /// Gains by plot and channel.
     gains: BTreeMap<(usize, String), f64>,
 }
 

@@ -24,7 +24,6 @@ const COMPARED: usize = 4;
 pub struct Scope {
     /// The key; the selected one if `None`.
     pub key: Option<u8>,
-    /// Further keys whose channels are drawn, too.
     pub compared: BTreeSet<u8>,
     /// Channels of each plot, from the top; the usual ones if empty.
     pub lanes: Vec<Vec<String>>,
@@ -42,7 +41,6 @@ pub struct Scope {
     pub pinned: Option<f64>,
     #[serde(skip)]
     pub heights: Heights,
-    /// Curves that are not drawn, by key and channel.
     #[serde(skip)]
     pub hidden: BTreeSet<(u8, String)>,
     #[serde(skip)]

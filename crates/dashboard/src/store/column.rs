@@ -1,5 +1,4 @@
-//! A column of numbers with the smallest and largest of each block, so that a long stretch is drawn
-//! without reading every row, and no spike is lost.
+//! A column of numbers with the extremes of each block: drawing reads few rows and loses no spike.
 
 use std::ops::Range;
 
@@ -11,7 +10,6 @@ pub(crate) struct Column {
     values: Vec<f32>,
     lows: Vec<f32>,
     highs: Vec<f32>,
-    /// Blocks with a value that is not finite.
     has_holes: Vec<bool>,
 }
 
@@ -82,7 +80,6 @@ impl Column {
     }
 }
 
-/// Widens `range`; a value that is not finite is ignored.
 fn widen(range: &mut (f32, f32), lows: &[f32], highs: &[f32]) {
     let finite = |values: &'_ [f32], f: fn(f32, f32) -> f32, start| {
         values.iter().copied().filter(|it| it.is_finite()).fold(start, f)

@@ -21,9 +21,7 @@ pub enum KeyCondition {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Conditions {
     keys: Vec<KeyCondition>,
-    /// Sentences about boards that render no force.
     pub boards: Vec<String>,
-    /// Sentences about muted keys and keys without a board.
     pub others: Vec<String>,
 }
 
@@ -56,7 +54,6 @@ impl Conditions {
         conditions
     }
 
-    /// Marks `keys`, if any, and adds a sentence with their ranges.
     fn mark(&mut self, keys: &[u32], condition: &KeyCondition, words: &str) {
         let ranges = self.set(keys, condition);
         if !ranges.is_empty() {
@@ -64,7 +61,6 @@ impl Conditions {
         }
     }
 
-    /// Sets the condition of `keys`; returns their ranges in words.
     fn set(&mut self, keys: &[u32], condition: &KeyCondition) -> String {
         let mut keys: Vec<u8> = keys.iter().filter_map(|key| number::key(*key)).collect();
         keys.sort_unstable();

@@ -37,10 +37,8 @@ impl KeySummary {
 #[derive(Clone, PartialEq, Debug)]
 pub struct KeySummaries {
     keys: [KeySummary; KEYS],
-    /// `true` if there was an overview.
     pub is_known: bool,
     pub tick: u64,
-    /// Number of samples lost on their way to the window.
     pub dropped: u64,
 }
 

@@ -28,7 +28,6 @@ const TRACE_BYTES: usize = 8 << 20;
 /// The last accepted tick: thousands of years.
 pub(crate) const LAST_TICK: u64 = 1 << 48;
 
-/// Rate of ticks without a catalogue (Hz).
 const USUAL_HZ: u32 = 1000;
 
 /// All data of a host that a window shows.
@@ -96,7 +95,6 @@ impl Store {
                     trace.cap(TRACE_BYTES);
                 }
             }
-            // Blocks contain the same, and more.
             Update::State(..) => {}
             Update::Event(it) if LAST_TICK < it.tick => {}
             Update::Event(it) => self.events.push(it),
@@ -125,9 +123,7 @@ impl Store {
         }
     }
 
-    /// Forgets the data before another run, or before another position in a recording.
-    ///
-    /// The catalogue and the voices stay until others come: a rewound recording is of the same run.
+    /// Forgets the data before another run or position; the catalogue and the voices stay.
     pub fn forget(&mut self) {
         *self = Self {
             catalogue: self.catalogue.take(),

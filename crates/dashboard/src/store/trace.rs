@@ -38,7 +38,6 @@ pub struct Trace {
     modes: Vec<u8>,
     epochs: Vec<Epoch>,
     gaps: Vec<Gap>,
-    /// `true` if the newest row holds until the next one.
     rests: bool,
     revision: u32,
 }
@@ -116,7 +115,6 @@ impl Trace {
         number::f32(f64::from(position - before) / (ticks as f64 * period))
     }
 
-    /// Forgets the oldest rows until at most `bytes` are in use.
     pub(super) fn cap(&mut self, bytes: usize) {
         let most = bytes / self.row_bytes();
         // A quarter at a time, so that a row is moved four times at most.
@@ -194,12 +192,11 @@ impl Trace {
         self.values(column).get(row).copied().filter(|_| is_known)
     }
 
-    /// Returns the curve of `column` between two ticks as segments of points `[tick, value]`, with a
-    /// break at each gap and each value that is not finite.
+    /// Returns the curve of `column` between two ticks as segments of points `[tick, value]`, with
+    /// a break at each gap and each value that is not finite.
     ///
-    /// There are about eight points at most for each of `buckets`, among them the smallest and the
-    /// largest value of each. Only if there are more segments than buckets, those less than a bucket
-    /// apart are joined.
+    /// Each of `buckets` has about eight points at most, among them its smallest and largest value.
+    /// Only segments less than a bucket apart are joined, if there are more of them than buckets.
     pub fn segments(
         &self,
         column: usize,
@@ -234,7 +231,6 @@ impl Trace {
         runs.into_iter().map(segment).collect()
     }
 
-    /// Returns the stretches of rows without a gap and with finite values.
     fn runs(&self, values: &Column, first: usize, last: usize) -> Vec<Range<usize>> {
         let gaps = self.gaps(self.ticks[first], self.ticks[last - 1]).iter();
         let begins = gaps.map(|gap| self.ticks.partition_point(|tick| *tick < gap.next));
@@ -247,7 +243,6 @@ impl Trace {
         runs
     }
 
-    /// Joins stretches of rows that are less than `size` ticks apart.
     fn joined(&self, runs: Vec<Range<usize>>, size: u64) -> Vec<Range<usize>> {
         let mut joined: Vec<Range<usize>> = Vec::new();
         for run in runs {
@@ -292,7 +287,6 @@ fn within(x: f32, [a, b]: [f32; 2]) -> bool {
     (a.min(b)..=a.max(b)).contains(&x)
 }
 
-/// Returns the number of rows that every column has.
 fn rows(block: &KeyBlock) -> usize {
     let lengths = [block.position.len(), block.force.len(), block.sent.len(), block.mode.len()];
     lengths.into_iter().fold(block.after.len(), usize::min)

@@ -102,7 +102,6 @@ impl Snapshot {
     }
 }
 
-/// Returns the difference at `share` between two of the same parameter.
 fn mix(
     from: Option<Difference>,
     to: Option<Difference>,
@@ -127,9 +126,7 @@ fn mix(
 /// Values of the base of a saved instrument.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BaseValues {
-    /// Those that it was saved with.
     Saved,
-    /// Those that its base has now.
     Present,
 }
 

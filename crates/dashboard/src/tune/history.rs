@@ -12,7 +12,6 @@ pub struct UndoStep {
     pub text: String,
     pub before: EditPatch,
     pub after: EditPatch,
-    /// Steps of the same drag are one.
     gesture: Option<u64>,
 }
 

@@ -8,10 +8,8 @@ use telemetry::Difference;
 /// Reaction of the other keys of a range.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum LinkedKeys {
-    /// None: each key for itself.
     #[default]
     Alone,
-    /// The value of the moved key.
     Same,
     /// The same offset or factor, which fades beside the range.
     Change,

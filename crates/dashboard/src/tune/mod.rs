@@ -1,9 +1,8 @@
 //! The edit layer: what plays is an instrument on each key, and differences from it.
 //!
 //! A requested value is shown at once and stays until the host has answered, so that a slider never
-//! jumps back. Every change is a patch of the layer and one step of the history; snapshots, A and B,
-//! saved instruments and the changes offered to a restarted host are the same differences. Nothing
-//! here draws or sends: [`Tuner::outgoing`] returns the request to send.
+//! jumps back. Every change is a patch of the layer and one step of the history, also from
+//! snapshots and saved instruments. Nothing here sends: [`Tuner::outgoing`] returns the request.
 
 pub mod checks;
 pub mod edit;
@@ -33,7 +32,6 @@ const OFFSET_UNITS: [&str; 5] = ["m", "rad", "s", "1", ""];
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SavedTuning {
-    /// Parameters that nothing changes.
     pub locked: BTreeSet<String>,
     pub compared: [Option<Snapshot>; 2],
     pub named: BTreeMap<String, Snapshot>,
@@ -43,10 +41,8 @@ pub struct SavedTuning {
 #[derive(Clone, Debug)]
 struct KeyInstrument {
     model: String,
-    /// Version of the model's description.
     version: u32,
     instrument: String,
-    /// Values of the instrument.
     base: Vec<f64>,
     values: Vec<f64>,
     revision: u32,
@@ -63,9 +59,7 @@ struct LeftLayer {
 pub struct Tuner {
     pub kept: SavedTuning,
     pub checks: KeyChecks,
-    /// Models by their names and versions of their descriptions.
     models: BTreeMap<(String, u32), Model>,
-    /// Values of the listed instruments on all keys.
     instruments: BTreeMap<String, Vec<f64>>,
     played: BTreeMap<u8, KeyInstrument>,
     /// Displayed differences: requested, or else as reported.
@@ -141,7 +135,6 @@ impl Tuner {
         self.follow_report(key);
     }
 
-    /// Shows the reported values of a key where no request is pending.
     fn follow_report(&mut self, key: u8) {
         let Some(played) = self.played.get(&key) else { return };
         if self.queue.awaits(key) {
@@ -318,8 +311,7 @@ impl Tuner {
         }
     }
 
-    /// Applies a patch as a step; locked parameters, unknown ones and what is so already are left
-    /// out.
+    /// Applies a patch as a step, without locked and unknown parameters and what is so already.
     fn enter(&mut self, text: &str, mut patch: EditPatch, gesture: Option<u64>) {
         let now = self.snapshot().instruments;
         let is_switched = |key: u8| patch.instruments.contains_key(&key);
@@ -518,7 +510,6 @@ impl Tuner {
         }
     }
 
-    /// Assumes the host's value; its voice is still on the way.
     fn assume_set(&mut self, slot: &ParameterSlot, value: f64) {
         let Some((i, _)) = self.at(slot.key, &slot.parameter) else { return };
         let played = self.played.get_mut(&slot.key);

@@ -8,7 +8,6 @@ use telemetry::{Request, request::Change, source::Ticket};
 use super::edit::ParameterSlot;
 use crate::names;
 
-/// A change of the instrument of adjacent keys.
 #[derive(Clone, Debug)]
 struct InstrumentSwitch {
     name: String,
@@ -29,7 +28,6 @@ pub(super) enum SentRequest {
 #[derive(Clone, Debug, Default)]
 pub(super) struct RequestQueue {
     switches: VecDeque<InstrumentSwitch>,
-    /// Instruments that keys wait for.
     expected: BTreeMap<u8, String>,
     dirty: BTreeSet<ParameterSlot>,
     asked: Option<(Ticket, SentRequest)>,
@@ -43,7 +41,6 @@ impl RequestQueue {
         self.switches.push_back(InstrumentSwitch { name, keys, follows_base: false });
     }
 
-    /// Lets the instrument of the last switch follow its base.
     pub(super) fn follow_base(&mut self) {
         if let Some(last) = self.switches.back_mut() {
             last.follows_base = true;
@@ -73,7 +70,6 @@ impl RequestQueue {
         }
     }
 
-    /// Returns `true` if a value was requested and not yet answered.
     pub(super) fn is_pending(&self, slot: &ParameterSlot) -> bool {
         let is_asked = matches!(&self.asked, Some((_, SentRequest::Values(values)))
             if values.contains_key(slot));
@@ -92,7 +88,6 @@ impl RequestQueue {
         keys.clone().for_each(|key| self.forget_key(key));
     }
 
-    /// Returns the slots whose keys play the instrument that they wait for.
     fn sendable(&self) -> impl Iterator<Item = &ParameterSlot> {
         self.dirty.iter().filter(|slot| !self.awaits(slot.key))
     }
@@ -101,7 +96,6 @@ impl RequestQueue {
         self.switches.is_empty() && self.dirty.is_empty() && self.asked.is_none()
     }
 
-    /// Queues the request without an answer again.
     pub(super) fn lose(&mut self) {
         match self.asked.take() {
             None => {}

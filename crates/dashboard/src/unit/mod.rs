@@ -61,7 +61,6 @@ pub(crate) fn text(value: f64, unit: &str) -> String {
 pub(crate) struct ParameterReading<'a> {
     parameter: &'a Parameter,
     unit: &'a str,
-    /// Both units, if the window knows them; values are shown in SI if not.
     units: Option<(TypedUnit, TypedUnit)>,
 }
 
@@ -104,7 +103,6 @@ impl ParameterReading<'_> {
         (si - offset) / per
     }
 
-    /// Returns the step of a hand, as a number that is shown.
     pub(crate) fn step(&self) -> f64 {
         let Parameter { step, min, max, .. } = *self.parameter;
         let (per, _) = self.affine();
@@ -130,12 +128,10 @@ impl ParameterReading<'_> {
         a.min(b)..=a.max(b)
     }
 
-    /// Formats the number of `value` (SI) in five digits.
     pub(crate) fn digits(&self, value: f64) -> String {
         exact(self.number(value))
     }
 
-    /// Formats `value` (SI) with its unit: `2.2 mm`.
     pub(crate) fn text(&self, value: f64) -> String {
         join(&self.digits(value), self.unit)
     }
@@ -241,7 +237,6 @@ fn trimmed(digits: &str) -> String {
     }
 }
 
-/// Returns `true` if a quantity has no unit: models write 1 for it.
 fn is_none(unit: &str) -> bool {
     unit.is_empty() || unit == "1"
 }

@@ -30,7 +30,6 @@ const PREFIXES: [(&str, i32); 9] = [
     ("n", -9),
 ];
 
-/// A unit by its factor to SI and its dimension.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct TypedUnit {
     factor: f64,
@@ -51,7 +50,6 @@ impl TypedUnit {
     }
 }
 
-/// Returns the unit that `text` names, as `N·m/rad` or `kg*mm^2`.
 pub(super) fn unit_of(text: &str) -> Option<TypedUnit> {
     let mut product = TypedUnit { factor: 1.0, tens: 0, powers: [0; 4] };
     let (mut rest, mut sign) = (if text.is_empty() { "1" } else { text }, 1);
@@ -70,7 +68,6 @@ pub(super) fn unit_of(text: &str) -> Option<TypedUnit> {
     }
 }
 
-/// Returns a named unit with its power, as `mm^2`, `mm2` or `mm²`.
 fn powered(text: &str) -> Option<TypedUnit> {
     let (name, power) = [("²", 2), ("³", 3), ("^2", 2), ("^3", 3), ("2", 2), ("3", 3)]
         .into_iter()

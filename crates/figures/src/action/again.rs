@@ -21,7 +21,6 @@ pub(super) fn quickest(subject: &PianoSubject<'_>, key: u8, part: f64) -> f64 {
     rates.find(|rate| repeats(subject, key, (part, *rate))).unwrap_or(0.0)
 }
 
-/// Returns `true` if every stroke of a repetition at `rate` (1/s) sounds once.
 pub(super) fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> bool {
     let mut driven = subject.open(key);
     let held = subject.dip(key) + 0.5 * BEYOND_DIP;

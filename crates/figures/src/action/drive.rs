@@ -28,10 +28,9 @@ impl StrokeTouch {
         }
     }
 
-    /// Returns the exponent of the power law by which a key goes down in `duration` (s), which is
-    /// the end speed over the mean speed. On a lever of 5.2 : 1 it gives the hammer speeds of the
-    /// measured travel times (Goebl, Bresin & Galembo 2005, mean of the three grands), without any
-    /// model.
+    /// Returns the exponent of the power law of a stroke in `duration` (s): end over mean speed.
+    ///
+    /// On a lever of 5.2 : 1 it gives the measured travel times (Goebl, Bresin & Galembo 2005).
     fn exponent(self, duration: f64) -> f64 {
         match self {
             Self::Pressed => 1.9 * (duration / 92.6e-3).powf(-0.6),
@@ -44,7 +43,6 @@ impl StrokeTouch {
 /// Position of a key's front over time (m, down positive), from 0 at 0 s.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Drive {
-    /// Down by a power law, then held.
     Stroke {
         /// Time to [`STROKE_DEPTH`] (s).
         duration: f64,
@@ -111,7 +109,6 @@ impl Drive {
     }
 }
 
-/// Returns rest at `position` (m).
 fn still(position: f64) -> Motion {
     Motion { position, ..Motion::default() }
 }

@@ -3,7 +3,6 @@ use serde::Serialize;
 /// A measured figure with its expected range.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Figure {
-    /// Name in reports, in instrument files, and for programs.
     pub name: &'static str,
     pub title: &'static str,
     /// Value; `None` if it does not apply to the instrument.
@@ -57,7 +56,6 @@ pub(super) const ENERGY: [(&str, &str); 2] = [
     ("energy_residual", "energy made by the integration, of the work [1]"),
 ];
 
-/// Measured figures by name.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MeasuredFigures {
     values: Vec<(&'static str, f64)>,
@@ -74,7 +72,6 @@ impl MeasuredFigures {
         }
     }
 
-    /// Returns the figures in the order of reports, with their limits.
     pub(super) fn figures(&self, expected: &[(String, (f64, f64))]) -> Vec<Figure> {
         let figure = |(name, title): (&'static str, &'static str)| {
             let value = self.values.iter().find(|it| it.0 == name).map(|it| it.1);

@@ -29,7 +29,6 @@ pub const JOBS: usize = SLOPES.len() + 2 * STROKES as usize + 88 + 4;
 #[derive(Clone, Debug)]
 pub struct Examination {
     pub name: String,
-    /// Figures in the order of the report.
     pub figures: Vec<Figure>,
     pub dip: f64,
     pub slopes: Vec<ForceCurve>,
@@ -167,7 +166,6 @@ const WEIGHTS: [[&str; 3]; 4] = [
     ["down_weight_17mm_s", "up_weight_17mm_s", "hump_17mm_s"],
 ];
 
-/// Sets touch weights, humps and energy from the force curves.
 pub(super) fn weigh(dip: f64, slopes: &[ForceCurve], measured: &mut MeasuredFigures) {
     let scale = dip / super::drive::USUAL_DIP;
     let range = (WEIGHED.0 * scale, WEIGHED.1 * scale);
@@ -192,7 +190,6 @@ pub(super) fn weigh(dip: f64, slopes: &[ForceCurve], measured: &mut MeasuredFigu
     measured.maybe("energy_residual", residuals.reduce(f64::max));
 }
 
-/// Sets stroke times, compared with the three grands, and speeds.
 fn compare(examination: &Examination, measured: &mut MeasuredFigures) {
     const NAMES: [[&str; 2]; 3] = [
         ["travel_pressed", "travel_struck"],
@@ -239,7 +236,6 @@ fn at(strokes: &[Stroke], speed: f64, of: impl Fn(&Stroke) -> Option<f64>) -> Op
     })
 }
 
-/// Sets check and second strikes of all strokes, and travel over the compass.
 fn follow(examination: &Examination, measured: &mut MeasuredFigures) {
     /// Speed above which strokes must be caught (m/s).
     const CHECKED_ABOVE: f64 = 1.0;

@@ -7,7 +7,7 @@ use pode::{
 /// Method and tolerance of every run: errors stay a thousand times below reported digits.
 const METHOD: (&str, f64) = ("tsitouras5", 1e-8);
 
-/// State of a key at an instant.
+/// State of a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ActionSample {
     /// Time (s).

@@ -1,7 +1,6 @@
 //! Measurements of an action as by a player and a technician.
 //!
-//! A position drives the key's front and its force is measured: a comparison by force flatters any
-//! model (Thorin, Boutillon & Lozada 2014).
+//! The front's position is driven: a comparison by force flatters models (Thorin et al. 2014).
 //!
 //! `drive` is the input, `key` a driven key, `stroke` one stroke, `slope` force over travel,
 //! `again` repetition and return, `grands` the measured grands, `figure` figures with limits,

@@ -38,9 +38,8 @@ struct RegulationFault {
 
 /// Measures `key` of an instrument as it is `now`, and compares it with the instrument as `usual`.
 ///
-/// Limits are those of the middle of the compass, and some models have no string: a fault that the
-/// usual key has as well is not reported, except a blocked hammer and a slower repetition. Returns
-/// `None` if `is_cancelled`, which is polled some times a second.
+/// A fault that the usual key has as well is not reported, except a blocked hammer and a slower
+/// repetition. Returns `None` if `is_cancelled`, which is polled some times a second.
 pub fn regulation(
     now: &PianoSubject<'_>,
     usual: &PianoSubject<'_>,
@@ -115,7 +114,6 @@ fn quickest(
     Some(0.0)
 }
 
-/// Returns the fault of a key that does not play one note with one stroke.
 fn mechanical(
     slow: Option<&ForceCurve>,
     stroke: Result<Stroke, Miss>,

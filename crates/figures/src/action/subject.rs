@@ -13,7 +13,6 @@ pub struct PianoSubject<'a> {
     pub model: &'a LoadedModel,
     /// Returns one value per parameter of the model for a key, 0 (A0) ..= 87 (C8).
     pub values: &'a (dyn Fn(u8) -> Vec<f64> + Sync),
-    /// Figures by name, with the lowest and highest accepted value.
     pub expected: &'a [(String, (f64, f64))],
 }
 

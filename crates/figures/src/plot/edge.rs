@@ -13,7 +13,6 @@ const BELOW: f64 = 13.0;
 /// Distance from an axis to the numbers beside it (pixels).
 const BESIDE: f64 = 7.0;
 const LINE: Stroke = Stroke::new(INK, 0.75);
-/// Line of the grid, transparent over shades.
 const GRID: Stroke = Stroke::new(INK, 0.75).faint(0.15);
 
 /// Side of a panel with an axis.

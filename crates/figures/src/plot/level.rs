@@ -29,7 +29,6 @@ pub fn level<const N: usize>(extents: [Option<(f64, f64)>; N]) -> [(f64, f64); N
 mod tests {
     use super::*;
 
-    /// Returns the position of zero in a range, 0 to 1.
     fn zero((low, high): (f64, f64)) -> f64 {
         -low / (high - low)
     }

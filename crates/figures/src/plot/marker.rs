@@ -50,7 +50,6 @@ const SIZE: f64 = 3.2;
 /// Width of a mark's edge (pixels).
 const EDGE: f64 = 1.2;
 
-/// Draws a mark of a curve, hollow if its line is dashed.
 pub(super) fn draw(canvas: &mut Canvas, at: Pixel, shape: MarkerShape, stroke: Stroke) {
     let Stroke { color, is_dashed, .. } = stroke;
     let (fill, edge) = (if is_dashed { PAPER } else { color }, Stroke::new(color, EDGE));

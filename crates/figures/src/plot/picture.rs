@@ -27,7 +27,6 @@ const GAP: f64 = 12.0;
 const ROW_GAP: f64 = 22.0;
 /// Height of the strip with marks of failures (pixels).
 const STRIP: f64 = 18.0;
-/// Colour of the strip with failures.
 const WRONG: Color = Color(251, 232, 228);
 /// Width of the legend, and height of its rows (pixels).
 const LEGEND: f64 = 316.0;
@@ -60,7 +59,6 @@ pub struct Picture {
     pub panels: Vec<PicturePanel>,
     /// Lines across all panels of a single column.
     pub rules: Vec<PictureRule>,
-    /// Labels at x positions above the panels, in order.
     pub labels: Vec<(f64, String)>,
 }
 
@@ -72,7 +70,6 @@ pub struct PicturePanel {
     pub y: Vec<PictureAxis>,
     pub areas: Vec<PictureArea>,
     pub curves: Vec<PictureCurve>,
-    /// Labelled values of the left axis.
     pub levels: Vec<(f64, String)>,
 }
 
@@ -199,7 +196,6 @@ struct DrawnPanel<'a> {
     corners: [Pixel; 2],
     x: Axis,
     y: Vec<Axis>,
-    /// `true` if its x axis has numbers and a title.
     has_feet: bool,
     has_strip: bool,
 }
@@ -305,7 +301,6 @@ impl Picture {
         DrawnPanel { panel, corners: [(left, top), (right, bottom)], x, y, has_feet, has_strip }
     }
 
-    /// Returns each name once, in one column beside the first panel that has it.
     fn legend<'a>(&self, drawn: &[DrawnPanel<'a>], left: f64) -> Vec<(Pixel, LegendRow<'a>)> {
         let first = drawn.first().map_or(0.0, |it| it.corners[0].1);
         let named = drawn.iter().flat_map(|it| {
@@ -324,7 +319,6 @@ impl Picture {
         rows
     }
 
-    /// Draws the rules down to `bottom`, and their labels without overlap.
     fn draw_rules(&self, canvas: &mut Canvas, first: &DrawnPanel<'_>, bottom: f64) {
         let top = first.corners[0].1;
         for rule in &self.rules {

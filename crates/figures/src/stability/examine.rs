@@ -159,7 +159,6 @@ fn ranges(scene: &Scene) -> Vec<KeyRange> {
     ranges
 }
 
-/// Returns the keys to try, with the first and the last.
 fn tried(keys: KeyRange) -> impl Iterator<Item = KeyIndex> {
     let (start, steps) = (keys.first().number(), len(keys) - 1);
     let parts = TRIED.min(len(keys));

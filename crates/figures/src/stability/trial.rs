@@ -14,9 +14,7 @@ use crate::rehearsal::{RehearsalError, RehearsedKey};
 pub(super) enum Instability {
     Fault(VoiceFault),
     Untouched,
-    /// It sounds repeatedly under a finger that holds it.
     Chatters,
-    /// Its motor shakes it after the finger left.
     Shakes,
 }
 
@@ -72,9 +70,8 @@ const CHATTER: usize = 6;
 
 /// Tries `voices` of a scene; returns the first trial with an unstable key.
 ///
-/// A link delays some samples less than others, so shorter delays than the rig's are tried too. A
-/// loop that shakes without a delay and is quiet with one has a limit cycle whose phase happens to
-/// fit: on the link it shakes.
+/// A link delays some samples less, so shorter delays than the rig's are tried too. A loop that
+/// shakes without a delay and is quiet with one has a limit cycle whose phase happens to fit.
 pub(super) fn first_unstable(
     scene: &Scene,
     voices: &[(KeyIndex, &KeyVoice)],
@@ -136,10 +133,8 @@ fn play(mut key: RehearsedKey, dip: f64) -> Option<Instability> {
 
 #[derive(Clone, Copy, Debug, Default)]
 struct TrialLog {
-    /// Strikes since the start of the latest stroke.
     strikes: usize,
     stroke: usize,
-    /// Motion in both halves of the trial's end.
     end: [Swing; 2],
     position: f64,
 }

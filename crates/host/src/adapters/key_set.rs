@@ -35,7 +35,6 @@ impl AtomicKeySet {
     }
 }
 
-/// Splits into the lower and the upper bits.
 fn words(keys: u128) -> [u64; 2] {
     const LOW: u128 = u64::MAX as u128;
     [keys & LOW, keys >> 64].map(|bits| u64::try_from(bits).unwrap_or_default())

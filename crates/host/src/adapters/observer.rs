@@ -19,7 +19,6 @@ pub struct LiveCounters {
     pub ticks: AtomicU64,
     /// Keys whose voice ran its equations in the last tick.
     pub active: AtomicU32,
-    /// Hammers that met their string.
     pub strikes: AtomicU64,
     /// Reset maps applied by all models.
     pub events: AtomicU64,
@@ -171,7 +170,6 @@ struct Sums {
     dropped: u64,
     strikes: u64,
     news: bool,
-    /// Bit per key that is muted, asleep, or had to wait.
     muted: u128,
     asleep: u128,
     waiting: u128,

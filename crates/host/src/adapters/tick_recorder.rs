@@ -47,11 +47,10 @@ pub struct RowFlags {
     pub idle: bool,
     /// `true` if its lane was not done.
     pub late: bool,
-    /// `true` if it is late since the voice had to wait.
+    /// `true` if it is late because the voice had to wait.
     pub waited: bool,
     /// `true` if its force is unrelated to the one before.
     pub fresh: bool,
-    /// `true` if its model is shown.
     pub followed: bool,
 }
 
@@ -60,7 +59,6 @@ pub struct RowFlags {
 #[derive(Clone, Copy, Debug)]
 pub enum RecorderRow {
     Key(KeyRow),
-    /// The tick, after its keys.
     Tick(TickRow),
 }
 
@@ -98,7 +96,7 @@ pub struct TickRecorderRings {
     pub happenings: Consumer<TickEvent>,
     /// Number of rows and events without room.
     pub dropped: Arc<AtomicU64>,
-    /// Keys to follow, set by the telemetry thread; none at first.
+    /// Keys to follow, set by the telemetry thread.
     pub followed: Arc<AtomicKeySet>,
 }
 

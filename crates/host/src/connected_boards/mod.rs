@@ -70,8 +70,7 @@ pub fn folder(boards: &Boards) -> Option<PathBuf> {
     boards.calibration.clone().or_else(file::usual_folder)
 }
 
-/// Returns the calibration of a board behind one of the `boards`' buses: from its file, or from
-/// the board itself if it is simulated. Fails without a usable file.
+/// Returns the calibration of a board from its file, or from the board itself if it is simulated.
 pub fn calibration(
     found: &FoundBoard,
     name: &BoardName,
@@ -97,7 +96,6 @@ pub fn calibration(
 pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
     /// Repetitions of the command, since no board answers it.
     const TIMES: u8 = 3;
-    /// Attempts on a full link, and the pause between them.
     const TRIES: u8 = 20;
     const PAUSE: Nanos = Nanos::from_millis(1);
     let boards = keybed.terms().count();

@@ -56,10 +56,9 @@ pub enum ControlError {
     Foreign(#[from] serde_json::Error),
 }
 
-/// Hosts that listen at other sockets.
+/// Hosts with other sockets.
 #[derive(Debug)]
 pub struct Elsewhere {
-    /// Their sockets and their visible owners.
     hosts: Vec<(PathBuf, Option<u32>)>,
     command: &'static str,
 }
@@ -125,7 +124,6 @@ pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
 /// Wait of a stop for the next host after a crash; `RestartSec` of the service is 5 s.
 const NEXT_START: Duration = Duration::from_secs(8);
 
-/// Interval of the attempts to reach the next host.
 const LOOK: Duration = Duration::from_millis(20);
 
 /// A host that was asked to stop, and its answer.
@@ -135,9 +133,8 @@ pub struct AskedHost {
     pub answer: Result<Answer, ControlError>,
 }
 
-/// Stops all hosts of this user and of the service, or those with this process's `LETOFF_SOCKET`
-/// if that is set; returns their answers. If none is found by its name, the socket's path is
-/// asked.
+/// Stops all hosts of this user and of the service and returns their answers. Asks only hosts with
+/// this process's `LETOFF_SOCKET` if that is set, and the socket's path if no name is found.
 pub fn stop_hosts() -> Vec<AskedHost> {
     let is_meant = |pid: &u32| place::chosen().is_none() || place::shares_socket(*pid);
     let pids: Vec<u32> = place::hosts().into_iter().filter(is_meant).collect();
@@ -262,8 +259,7 @@ fn converse(
     exchange(stream, patience, request, (is_ours, stranger, hangs))
 }
 
-/// Sends `request` by `stream` and returns the answer, if `is_ours` trusts the host's user;
-/// `stranger` and `hangs` make errors of its user and its process.
+/// Sends `request` by `stream` and returns the answer, if `is_ours` trusts the host's user.
 fn exchange(
     mut stream: UnixStream,
     patience: Duration,
@@ -291,7 +287,6 @@ fn exchange(
     Ok((serde_json::from_str(&line)?, stream))
 }
 
-/// Returns the error for a hanging host at `path`, with the command that ends it.
 fn hung(path: &Path, pid: Option<i32>, patience: Duration) -> ControlError {
     let end = match pid {
         _ if place::is_service(path) => END_SERVICE.to_owned(),

@@ -17,11 +17,9 @@ use scene::{InstrumentFile, KeyVoice, Render, Scene, Voicing};
 pub(super) struct CurrentVoices {
     pub(super) render: Render,
     pub(super) keys: Vec<Option<KeyVoice>>,
-    /// Names of their instruments, if known.
     pub(super) instruments: Vec<Option<String>>,
-    /// Origins of their values.
     pub(super) voicings: Vec<Option<Voicing>>,
-    /// Later changes of these values, by the names of parameters.
+    /// Later changes of the values, by parameter.
     changed: Vec<BTreeMap<&'static str, f64>>,
 }
 
@@ -173,7 +171,6 @@ impl CurrentVoices {
         }
     }
 
-    /// Records the differing values of a key in `voice`.
     fn note_changes(&mut self, key: usize, voice: &KeyVoice) {
         let before = self.keys[key].as_ref().map_or(&[][..], |before| &before.values);
         let values = voice.model.parameters.iter().zip(voice.values.iter().zip(before));
@@ -183,7 +180,6 @@ impl CurrentVoices {
         self.changed[key].extend(changed);
     }
 
-    /// Returns the instrument of `key`, if its values are unchanged.
     pub(super) fn untouched_instrument(&self, key: u8) -> Option<&str> {
         let index = usize::from(key);
         let name = self.instruments.get(index)?.as_deref()?;
@@ -261,7 +257,6 @@ pub(super) fn setting_of(key: u8, parameter: &str, value: f64) -> ParameterSetti
     ParameterSetting { name: change.name(), value }
 }
 
-/// Returns a sentence on the condition of the model that `voice` violates, if any.
 fn unmet_on(key: u8, voice: &KeyVoice) -> Option<String> {
     let condition = unmet(&voice.model, &voice.values).into_iter().next()?;
     let key = KeyIndex::new(key).map_or_else(String::new, |key| key.to_string());

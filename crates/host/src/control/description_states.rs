@@ -23,7 +23,6 @@ impl DescriptionStates {
         self.files.insert(file.to_owned(), read);
     }
 
-    /// Records that `model` plays since `now` (ns since 1970).
     pub(super) fn note_playing(&mut self, model: &ModelEntry, now: u64) {
         if let Some(source) = &model.source {
             self.since.insert(source.version, now);

@@ -15,7 +15,6 @@ pub type FingerOwner = Option<u64>;
 #[derive(Debug)]
 pub struct FingerQueue {
     hands: Producer<(KeyIndex, HandCommand)>,
-    /// Pressed keys with the owner of the last press.
     pressed: BTreeMap<u8, (KeyIndex, FingerOwner)>,
 }
 
@@ -57,7 +56,7 @@ impl FingerQueue {
 
     fn release(&mut self, key: KeyIndex) {
         if self.pressed.remove(&key.number()).is_some() {
-            // Its place was kept free; a ring without a run has no reader.
+            // Its room was reserved; a ring without a run has no reader.
             let _kept = self.hands.push((key, HandCommand::AWAY));
         }
     }

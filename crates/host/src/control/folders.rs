@@ -8,7 +8,6 @@ use documents::{choice, is_unprintable, quoted, shown};
 use scene::{instrument_heads, instruments, is_description};
 use telemetry::recording::RecordingLimits;
 
-/// Largest number of the user's own instruments in lists.
 const MAX_LISTED: usize = 500;
 
 /// Folders in which clients of the stream may name files; `None` allows none.
@@ -125,7 +124,6 @@ pub(super) fn is_embedded(name: &str) -> bool {
     instrument_heads().iter().any(|head| head.name == name)
 }
 
-/// Returns the name in lists of an instrument's file.
 fn stem(path: &Path) -> Option<String> {
     Some(path.file_stem()?.to_str()?.to_owned())
 }

@@ -22,7 +22,6 @@ use crate::observe::{self, TelemetryMessage};
 #[derive(Debug)]
 enum LoadError {
     Mistakes(String),
-    /// It cannot be put in now.
     Refused(String),
 }
 
@@ -81,7 +80,6 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Records and sends the mistakes of the description at `path`; the old version plays on.
     fn note_mistakes(&self, path: &str, contents: FileContents, mistakes: &str) {
         let playing = self.playing();
         if !playing.models().iter().any(|model| model.file() == Some(path)) {
@@ -106,7 +104,6 @@ impl RequestHandler {
         self.send_catalogue();
     }
 
-    /// Returns the files of the playing descriptions, with their contents at the last read.
     pub(super) fn described_files(&self) -> Vec<(String, FileContents)> {
         let models = self.playing().models();
         let states = self.states();

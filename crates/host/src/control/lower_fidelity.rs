@@ -63,7 +63,6 @@ impl LoweredKeys {
         }
     }
 
-    /// Reports the changes of the last polls, once none is left to do.
     fn tell(&mut self, handler: &RequestHandler) {
         let (changed, lower) = (std::mem::take(&mut self.untold), self.before.len());
         if 0 < changed {
@@ -76,7 +75,7 @@ impl LoweredKeys {
     fn lower_voices(&mut self, handler: &RequestHandler, asleep: u128) -> BTreeMap<u8, NewVoice> {
         let mut changes = BTreeMap::new();
         let mut of = None;
-        // Trying an instrument takes a while, in which clients may change voices.
+        // Trying an instrument takes time, in which clients may change voices.
         for (key, name) in self.untouched(handler, asleep) {
             if of.as_ref().is_some_and(|of| *of != name) || changes.len() == MOST_AT_ONCE {
                 continue;
@@ -122,8 +121,7 @@ const fn is_in(keys: u128, key: u8) -> bool {
     keys >> key & 1 == 1
 }
 
-/// Plays `changes`; returns the former voices of those keys, or nothing if the changes are
-/// rejected now; the next poll tries them again.
+/// Plays `changes`; returns the former voices, or nothing if they are rejected until the next poll.
 fn change(
     handler: &RequestHandler,
     changes: BTreeMap<u8, NewVoice>,

@@ -16,9 +16,8 @@
 //! | `reload` | the scene, at SIGHUP: the parts that can change live |
 //! | `programs` | MIDI program changes, as requests for an instrument |
 //!
-//! A mistake changes nothing and is reported. `letoff stop` ends the run with the next tick and
-//! stops boards. The socket listens before keys are tried and touches rehearsed (`starting`), so
-//! that a host in preparation can be stopped too.
+//! A mistake changes nothing and is reported. The socket listens before keys are tried and touches
+//! rehearsed (`starting`), so that `letoff stop` also ends a host in preparation.
 
 mod background;
 mod client;

@@ -11,7 +11,7 @@ pub(super) struct NewVoice {
 pub(super) enum VoiceHandover {
     /// New values of the playing voice.
     Values,
-    /// A start from rest, with the voicing of this name.
+    /// A start from rest, with this voicing and its name.
     Anew(Voicing, String),
     /// Other settings of `[render]`, continuing from the old state.
     Settings,
@@ -20,7 +20,6 @@ pub(super) enum VoiceHandover {
 }
 
 impl NewVoice {
-    /// Returns a voice of `key` that starts from rest, with the voicing of `name`.
     pub(super) fn anew(voicing: &Voicing, key: u8, name: &str) -> Self {
         let voice = KeyVoice::new(voicing, key);
         Self { voice, handover: VoiceHandover::Anew(voicing.clone(), name.to_owned()) }

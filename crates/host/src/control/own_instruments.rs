@@ -40,7 +40,7 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Loads the playing instrument `name`; returns its name for other files, too.
+    /// Loads the playing instrument `name`; returns its name in files, too.
     fn base(&self, name: &str, by: FingerOwner) -> Result<(String, Instrument), String> {
         let playing = self.playing();
         let path = playing.files().find(|file| file.name == name).map(|file| file.path.clone());
@@ -59,7 +59,6 @@ impl RequestHandler {
         self.run.background.load(by, load)?.map_err(|mistakes| mistakes.to_string())
     }
 
-    /// Records the values of an instrument of the user, and sends the catalogue.
     pub(super) fn note_own(&self, instrument: Instrument) {
         self.own_instruments().insert(instrument.name.clone(), Arc::new(instrument));
         self.send_catalogue();
@@ -113,7 +112,6 @@ const fn is_finite(difference: Difference) -> bool {
     difference.amount().is_finite()
 }
 
-/// Compares what would be saved with what plays, on the keys that play `base`.
 fn refuse_other_values(
     playing: &CurrentVoices,
     base: &str,

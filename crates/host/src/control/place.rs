@@ -11,7 +11,6 @@ use std::{fs, io, os::unix::ffi::OsStrExt as _};
 use documents::shown;
 use rustix::process::getuid;
 
-/// Socket of a host that the shipped unit starts.
 const SERVICE: &str = "/run/letoff/letoff.sock";
 
 /// Mode bits by which others may write into a folder.
@@ -28,8 +27,7 @@ pub fn socket_path() -> PathBuf {
     session().unwrap_or_else(temporary).join("letoff.sock")
 }
 
-/// Returns the session's runtime directory if it is this user's: a user switch may keep the first
-/// one's.
+/// Returns the runtime directory if it is this user's: a user switch may keep the first one's.
 fn session() -> Option<PathBuf> {
     let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
     runtime.filter(|folder| owner(folder) == Some(user()))
@@ -112,8 +110,7 @@ pub(super) fn check_folder(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Returns `true` if root named this path, to ask another user's host, or it is the service's:
-/// only root and the service manager make its folder.
+/// Returns `true` if root named this path, or it is the service's, whose folder only root makes.
 pub(super) fn is_allowed_to_root(path: &Path) -> bool {
     user() == 0 && (is_service(path) || chosen().is_some_and(|chosen| chosen == path))
 }
@@ -140,8 +137,7 @@ pub(crate) fn clear(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Returns the name at which the host `pid` of this user receives stops, whatever its path. The
-/// system lists such names, and removes them with their process.
+/// Returns the name at which host `pid` receives stops; it vanishes with its process.
 pub(super) fn stop_name(pid: u32) -> Vec<u8> {
     format!("{}{pid}", stop_prefix()).into_bytes()
 }
@@ -179,7 +175,6 @@ pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {
     others.into_iter().map(|other| (owner(&other), other)).map(|(uid, it)| (it, uid)).collect()
 }
 
-/// Returns the listening sockets of the system's list with a host's name.
 fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
     const LISTENS: &str = "00010000";
     listed.lines().filter_map(|line| {
@@ -191,8 +186,7 @@ fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// Returns `true` if `path` is safe in a command to be typed: any user may choose one with
-/// characters that a shell or a terminal would obey.
+/// Returns `true` if `path` is safe in a command: others may choose characters that a shell obeys.
 fn is_plain(path: &Path) -> bool {
     let is_plain = |it: &u8| it.is_ascii_alphanumeric() || b"/._-+@:".contains(it);
     path.is_absolute() && path.as_os_str().as_bytes().iter().all(is_plain)

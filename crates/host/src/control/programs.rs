@@ -39,7 +39,6 @@ impl ProgramListener {
 }
 
 impl RequestHandler {
-    /// Gives the keys of a channel the instrument of a program; logs a refusal.
     fn change_program(&self, change: ProgramChange) {
         let ProgramChange { channel, program } = change;
         let who = format!("program change {program} on channel {channel}");

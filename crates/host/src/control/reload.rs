@@ -55,7 +55,6 @@ impl RequestHandler {
         }
     }
 
-    /// Returns the differences of `scene` that need a restart.
     fn fixed_differences(&self, scene: &Scene) -> Vec<&'static str> {
         let old = &self.scene;
         let has_voice =

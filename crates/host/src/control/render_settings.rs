@@ -77,12 +77,11 @@ impl RequestHandler {
         })
     }
 
-    /// Rejects settings with which an instrument or a key is unstable.
     fn refuse_unstable_settings(&self, tried: &CurrentVoices) -> Result<(), String> {
         let scene = self.scene_of(tried);
         let names: BTreeSet<_> = tried.instruments.iter().flatten().collect();
         for name in names {
-            // A name that loads no instrument is of a file that was renamed.
+            // The file of a name that loads no instrument was renamed.
             let Ok(instrument) = Instrument::load(&self.scene.library, name) else { continue };
             if let Some(unmet) = instrument.needs.unmet(name, scene.tick_hz, &scene.render) {
                 return Err(unmet.to_string());

@@ -20,7 +20,6 @@ use crate::observe::{self, Origin, TelemetryMessage};
 use figures::stability::instabilities;
 use keyboard::KeyRange;
 
-/// All keys, as a range is typed.
 const ALL_KEYS: &str = "A0..C8";
 
 /// Answers requests to the host that runs a scene.
@@ -36,7 +35,6 @@ pub struct RequestHandler {
     playing: Mutex<CurrentVoices>,
     /// Descriptions that were read while they play; locked after the voices.
     states: Mutex<DescriptionStates>,
-    /// Instruments of the user that were read, by name.
     own_instruments: Mutex<BTreeMap<String, Arc<Instrument>>>,
     stream: Option<StreamAddress>,
 }
@@ -75,8 +73,7 @@ impl RequestHandler {
         Self { stream, ..Self::new(scene, run, folders) }
     }
 
-    /// Handles the request of `who`, which is checked and built as a whole before any of it is sent
-    /// to the run.
+    /// Handles the request of `who`. It is checked and built as a whole before any of it is sent.
     ///
     /// # Errors
     /// A sentence why nothing was changed.
@@ -191,12 +188,10 @@ impl RequestHandler {
         if is_description(Path::new(name)) {
             return self.load(name, keys.or(Some(ALL_KEYS)), (who, by));
         }
-        // Its model may be a description.
         let instrument = self.load_instrument(name, by)?;
         self.play_instrument(&instrument, (name, keys), who)
     }
 
-    /// Plays the instrument `name` with the present values of its base.
     fn follow_base(
         &self,
         name: &str,
@@ -250,7 +245,6 @@ impl RequestHandler {
         unstable.into_iter().next().map_or(Ok(()), Err)
     }
 
-    /// Sends `voices` to their keys, after a new `catalogue`, if any.
     pub(super) fn put_in(
         &self,
         playing: &mut CurrentVoices,
@@ -353,13 +347,12 @@ impl RequestHandler {
     }
 }
 
-/// Returns the message that `who` made the change in `event`; the telemetry thread sets its tick.
+/// Returns the message that `who` made a change; the telemetry thread sets its tick.
 fn changed(event: Event, who: &str) -> TelemetryMessage {
     let (kind, text) = (event::Kind::Change.into(), format!("{who}: {}", event.text));
     TelemetryMessage::Update(Box::new(Update::Event(Event { kind, text, ..event })))
 }
 
-/// Returns the values of `voice` for the playing voice of the same model.
 fn retuning(voice: &KeyVoice, revision: u32) -> Result<VoiceChange, String> {
     let values = ModelValues::new(voice.model.id(), revision, &voice.values);
     let many = || format!("{} has too many parameters to be changed", voice.model.name);

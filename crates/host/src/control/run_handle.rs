@@ -19,16 +19,13 @@ use crate::rehearsal_cache::RehearsalCache;
 
 /// Access of requests to a run, from its preparation to its end.
 ///
-/// Both ends are off the tick: the tick reads the rings behind it, and does the one load of
-/// [`EmergencyStop::is_asked`].
+/// The tick reads the rings behind it, and does the one load of [`EmergencyStop::is_asked`].
 #[derive(Debug, Default)]
 pub struct RunHandle {
     pub emergency: EmergencyStop,
     pub background: BackgroundWork,
     pub status: Arc<RunStatus>,
-    /// Socket of the guardian for its MIDI port, if any.
     guardian: Option<PathBuf>,
-    /// Kept rehearsals, if any are kept.
     rehearsals: Option<RehearsalCache>,
     voices: Mutex<VoicePort>,
     keys: Mutex<KeyPort>,
@@ -40,7 +37,6 @@ pub struct RunHandle {
 #[derive(Debug, Default)]
 struct TelemetryPort {
     sender: Option<mpsc::Sender<TelemetryMessage>>,
-    /// Recording that a request began.
     recording: Option<RecordingHandle>,
 }
 

@@ -33,7 +33,6 @@ struct StatusParts {
     recording: Option<RecordingHandle>,
     /// Begin of the recording (s since 1970).
     recording_since: u64,
-    /// Sentence about the run, once it is over.
     report: String,
     stopped: Option<BoardsTold>,
     last_faults: VecDeque<String>,

@@ -26,7 +26,7 @@ const MOST_CLIENTS: u32 = 64;
 /// Longest time for a client's request, and for reading the answer.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// Number of the first connection; clients of the stream are counted from 1.
+/// First connection of the socket; clients of the stream are counted from 1.
 const FIRST: u64 = 1 << 63;
 
 /// An answering service behind the control socket.
@@ -42,7 +42,6 @@ pub trait Answers: Send + Sync + 'static {
     }
 }
 
-/// Number of the first connection by a host's name.
 const FIRST_BY_NAME: u64 = FIRST | 1 << 62;
 
 /// A socket that is removed when the host ends.
@@ -61,8 +60,7 @@ struct SocketFile {
 }
 
 impl ControlServer {
-    /// Listens at `path`, for this user only. Replaces only a socket left by a killed host of this
-    /// user.
+    /// Listens at `path`, for this user only. Replaces only what a killed host of this user left.
     ///
     /// # Errors
     /// A sentence, if another host listens, the file is no socket, or others could put a socket
@@ -79,8 +77,7 @@ impl ControlServer {
         Ok(Self { listener: bound?, first: FIRST, file: Some(file) })
     }
 
-    /// Listens at a name of this process, by which `letoff stop` finds it whatever its path; other
-    /// users are rejected.
+    /// Listens at a name of this process for `letoff stop`, whatever its path. Rejects other users.
     ///
     /// # Errors
     /// If the system has no such names, or another process has taken this one.
@@ -185,7 +182,6 @@ struct ControlClient<A> {
     connection: u64,
     rights: ClientRights,
     answers: Arc<A>,
-    /// A permit for each connection by which a key is held.
     holders: Arc<Semaphore>,
 }
 
@@ -202,7 +198,7 @@ impl HeldConnection {
 }
 
 impl<A: Answers> ControlClient<A> {
-    /// Answers the request on `stream`; drops a client that fails, stalls or is invalid.
+    /// Answers `stream`; drops a client that fails, stalls or is invalid.
     async fn attend(self, stream: UnixStream, place: OwnedSemaphorePermit) {
         if let Ok(Some(mut held)) = self.converse(stream, place).await {
             held.until_it_ends().await;
@@ -241,7 +237,6 @@ impl<A: Answers> ControlClient<A> {
 
     /// Answers on a blocking thread, since building many voices would delay signals.
     async fn answer(&self, request: Request, stream: &UnixStream) -> Answer {
-        /// Interval of the checks for a client that left.
         const LOOK: Duration = Duration::from_millis(100);
         let (answers, connection) = (Arc::clone(&self.answers), self.connection);
         let mut answered =

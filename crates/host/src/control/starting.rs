@@ -41,7 +41,6 @@ impl StartingHost {
         Arc::clone(self.requests.get_or_init(make))
     }
 
-    /// Waits until the scene is known; `None` if that takes too long.
     fn wait(&self) -> Option<&Arc<RequestHandler>> {
         (0..MOST_LOOKS).find_map(|_look| {
             std::thread::sleep(LOOK);

@@ -6,7 +6,6 @@ use telemetry::{Status, Update, status, stream::Publisher};
 
 use super::{RepeatedLook, RequestHandler, RunHandle, run_status::nanos_now};
 
-/// Interval of the checks for a change.
 const INTERVAL: Duration = Duration::from_millis(100);
 
 /// Checks after which an unchanged status is sent again: 1 s.
@@ -23,7 +22,6 @@ pub struct StatusPublisher {
     _checks: RepeatedLook,
 }
 
-/// Last published status, and the number of checks since a change.
 #[derive(Default)]
 struct StatusWatch {
     last: Option<Status>,
@@ -53,7 +51,6 @@ impl StatusPublisher {
 }
 
 impl StatusWatch {
-    /// Returns the status if it must be sent.
     fn check(&mut self, run: &RunHandle) -> Option<Status> {
         let mut now = run.status.message();
         let ticks = run.status.read().run.deadlines.ticks;

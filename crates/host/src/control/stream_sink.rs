@@ -12,9 +12,7 @@ pub struct StreamSink {
     publisher: Publisher,
     /// Parameter names of each model that may play, by its name and version.
     parameters: BTreeMap<(String, u32), Vec<String>>,
-    /// Last published values of each key's voice.
     published: BTreeMap<u32, Vec<ParameterSetting>>,
-    /// Number of followings at the last poll.
     followings: u64,
 }
 

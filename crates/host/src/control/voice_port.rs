@@ -14,7 +14,6 @@ pub(super) struct VoicePort {
     audits: EnergySum,
 }
 
-/// Energy audits of all voices that ever played.
 #[derive(Debug, Default)]
 struct EnergySum {
     /// Sum over voices that are gone.

@@ -15,8 +15,7 @@ const WATCH: &str = "--watch";
 
 /// Watches the descriptions of `handler`'s voices and their bases until the result is dropped.
 ///
-/// It compares the contents of the files, since editors write into them or replace them. A file
-/// that is missing for a moment changes nothing.
+/// Compares contents, since editors write into files or replace them. Missing files change nothing.
 pub fn watch_descriptions(handler: Arc<RequestHandler>) -> io::Result<RepeatedLook> {
     handler.begin_to_watch();
     let mut found = FoundContents::default();
@@ -27,7 +26,6 @@ pub fn watch_descriptions(handler: Arc<RequestHandler>) -> io::Result<RepeatedLo
 struct FoundContents(BTreeMap<String, FileContents>);
 
 impl FoundContents {
-    /// Polls all files once, and loads those that were saved.
     fn look(&mut self, handler: &RequestHandler) {
         for (file, read) in handler.described_files() {
             let now = contents_now(&read);

@@ -16,7 +16,6 @@ use crate::control::place;
 
 const COMMAND: &str = "midi-guardian";
 
-/// Longest line of a guardian (bytes).
 const LONGEST_LINE: usize = 4096;
 
 #[derive(Debug)]
@@ -130,7 +129,6 @@ impl GuardianChannel {
 }
 
 impl Drop for GuardianChannel {
-    /// Reaps a guardian of this process that has ended.
     fn drop(&mut self) {
         let _ended = self.child.as_mut().map(Child::try_wait);
     }

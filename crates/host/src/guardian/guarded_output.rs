@@ -23,10 +23,8 @@ const INTERVAL: f64 = 1.0;
 
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum GuardianTrouble {
-    /// This machine has no MIDI; a sentence.
     #[error("{0}")]
     Missing(String),
-    /// The port cannot be opened; a sentence.
     #[error("{0}")]
     Refused(String),
     #[error("no MIDI guardian can be started at {path}: {source}")]
@@ -44,7 +42,6 @@ impl From<Unavailable> for GuardianTrouble {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GuardianReport {
     pub(crate) n_lost: u64,
-    /// First reason; a sentence.
     pub(crate) trouble: Option<String>,
     /// Silences of the host so long that its notes were ended.
     pub(crate) n_interruptions: u64,
@@ -68,8 +65,7 @@ pub(crate) struct GuardedOutput {
 }
 
 impl GuardedOutput {
-    /// Opens `port` behind the guardian at `path`, and starts one if none exists; `say` logs
-    /// changes.
+    /// Opens `port` behind the guardian at `path`, or starts one; `say` logs changes.
     pub(crate) fn open(
         path: &Path,
         port: GuardedPort,

@@ -61,7 +61,6 @@ struct GuardianProcess {
     passed_on: PassedOn,
     /// Time from the host's write to the port (ns).
     after: Histogram<u64>,
-    /// `true` if the host reported the end of its run.
     is_finished: bool,
 }
 

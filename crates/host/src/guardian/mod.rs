@@ -7,9 +7,8 @@
 //!                      └────── opened, beats, finished ◀────────────┘
 //! ```
 //!
-//! If the host is gone, or sends no beat for half a second, the guardian ends its notes. Its
-//! socket is beside the control socket: a restarted host finds it there together with the port,
-//! to which other programs stay connected.
+//! Without a host, or a beat for half a second, the guardian ends its notes. Its socket is beside
+//! the control socket: a restarted host finds it there with the port and its connections.
 
 mod channel;
 mod guarded_output;

@@ -89,11 +89,9 @@ pub(super) enum GuardianLine {
     Finished { passed_on: PassedOn, after_us: Option<Quantiles> },
 }
 
-/// State of a host's messages so far.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub(super) struct PassedOn {
     pub(super) n_lost: u64,
-    /// First reason; a sentence.
     pub(super) trouble: Option<String>,
     /// Silences of the host so long that its notes were ended.
     pub(super) n_interruptions: u64,

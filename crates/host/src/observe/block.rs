@@ -36,7 +36,6 @@ pub(super) const fn fault_number(fault: Option<VoiceFault>) -> u8 {
     }
 }
 
-/// Adds the key speed measured by a board to the rows pushed so far.
 fn push_velocity(block: &mut KeyBlock, velocity: Option<f64>) {
     if velocity.is_some() || !block.velocity.is_empty() {
         block.velocity.resize(block.taken.len(), f64::NAN);
@@ -46,7 +45,7 @@ fn push_velocity(block: &mut KeyBlock, velocity: Option<f64>) {
     }
 }
 
-/// Adds the `limit` of row `index` to a column that is empty as long as no turn was cut off.
+/// Adds the `limit` of row `index`; the column is empty as long as no turn was cut off.
 fn push_limit(limits: &mut Vec<u32>, index: usize, limit: u32) {
     if 0 < limit || !limits.is_empty() {
         limits.resize(index, 0);

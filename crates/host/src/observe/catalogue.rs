@@ -39,7 +39,6 @@ where
     distinct
 }
 
-/// Returns the description behind `entry`, with the text of its files.
 fn description(entry: &ModelEntry) -> Option<Description> {
     let source = entry.source.as_ref()?;
     let texts = source.contents.texts().into_iter();
@@ -56,7 +55,6 @@ fn description(entry: &ModelEntry) -> Option<Description> {
 }
 
 fn model(entry: &ModelEntry) -> Model {
-    /// Middle C, with whose values steps are found.
     const MIDDLE: u8 = 39;
     let usual = entry.presets.first().map(|it| it.values(MIDDLE)).unwrap_or_default();
     Model {

@@ -21,7 +21,6 @@ const CHANGES: u64 = 2_000_000_000;
 pub struct LogSink {
     line: LogLine,
     limit: RateLimit,
-    /// Keys with changed values since then, by client.
     changed: BTreeMap<String, BTreeSet<u32>>,
     versions: BTreeMap<u32, u32>,
     since: u64,
@@ -54,7 +53,6 @@ impl LogSink {
         }
     }
 
-    /// Records the model version of `voice`; returns `true` if it changed.
     fn is_new_version(&mut self, voice: &Voice) -> bool {
         self.versions.insert(voice.key, voice.version) != Some(voice.version) && 0 < voice.version
     }

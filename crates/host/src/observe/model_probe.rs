@@ -12,8 +12,7 @@ use super::short;
 
 /// Outside view of a model with values.
 pub trait ModelProbe: Send {
-    /// Appends the signals in the order of [`signals`]: states, guards, outputs. A guard that is
-    /// not watched in the present mode is NaN.
+    /// Appends the signals in the order of [`signals`]; a guard not watched in the mode is NaN.
     fn see(&self, look: &ModelSnapshot, signals: &mut Vec<f32>);
 
     /// Returns the name of a guard that fired in `mode`; `None` if it is not watched there.

@@ -65,7 +65,6 @@ impl OverviewBuilder {
         self.ticks = self.ticks.saturating_add(1);
     }
 
-    /// Takes the overview, if there was a tick.
     pub(super) fn take(&mut self, dropped: u64) -> Option<Overview> {
         if self.ticks == 0 {
             return None;

@@ -100,7 +100,6 @@ impl MessageSink for RecordSink {
     }
 
     fn wants(&self, topic: Topic) -> bool {
-        // Single values are in the blocks.
         !matches!(topic, Topic::State(_))
     }
 
@@ -165,7 +164,7 @@ impl std::fmt::Debug for BlackBoxSink {
 }
 
 impl BlackBoxSink {
-    /// Writes into `folder`, made when needed, and reports it by `say`.
+    /// Writes into `folder`, which is made when needed, and reports by `say`.
     pub fn new(folder: PathBuf, say: fn(&str)) -> Self {
         Self { kept: BlackBox::new(KEPT, MOST_BYTES), folder, due: None, written: 0, say }
     }

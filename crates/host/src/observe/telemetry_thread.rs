@@ -62,7 +62,7 @@ pub enum Attention {
     Over,
 }
 
-/// Messages to telemetry from other threads than the tick's.
+/// Messages to telemetry from threads other than the tick's.
 pub enum TelemetryMessage {
     /// A voice that may be put in from now on, and the probe of its model.
     Voice(Box<Voice>, Option<Box<dyn ModelProbe>>),
@@ -84,13 +84,12 @@ impl std::fmt::Debug for TelemetryMessage {
     }
 }
 
-/// Builds messages from the rows of the rings and hands them to the sinks.
+/// Builds messages from the rows of the rings for the sinks.
 pub struct TelemetryThread {
     sources: TelemetrySources,
     sinks: Vec<Box<dyn MessageSink>>,
     /// Messages for sinks that are added later: the catalogue and the voice of each key.
     retained: BTreeMap<Option<u32>, Update>,
-    /// Moves of pedals, reported before the first tick.
     pedals: Vec<Update>,
     probes: BTreeMap<u32, ProbedVoice>,
     /// Time of tick 0 (ns since 1970).
@@ -110,7 +109,6 @@ pub struct TelemetryThread {
 struct TelemetrySources {
     rings: TickRecorderRings,
     pulses: Consumer<PulseRow>,
-    /// Times of a tick with no row yet.
     early: Option<PulseRow>,
     messages: mpsc::Receiver<TelemetryMessage>,
     links: Option<Box<LinksWatch>>,
@@ -119,10 +117,8 @@ struct TelemetrySources {
 /// State in the newest tick row; a change of it is an event.
 struct NewestTick {
     tick: u64,
-    /// `true` if the forces of voices were sent.
     armed: bool,
     simplified: Simplifications,
-    /// Rows so far that found no room in the ring.
     dropped: u64,
 }
 
@@ -135,7 +131,6 @@ struct KeyTelemetry {
     /// Last row, which holds as long as the key rests.
     last: Option<KeyRow>,
     fault: Option<VoiceFault>,
-    /// Extra flags of the next row.
     mark: u8,
 }
 
@@ -158,7 +153,7 @@ const LOOK: u64 = 33_000_000;
 const SUM: u64 = 1_000_000_000;
 
 impl TelemetryThread {
-    /// Returns telemetry of ticks of `period` (ns), on the heap since it is large.
+    /// Returns telemetry of ticks of `period` (ns), boxed because it is large.
     pub fn new(
         rings: TickRecorderRings,
         pulses: Consumer<PulseRow>,
@@ -247,7 +242,6 @@ impl TelemetryThread {
         self.follow();
     }
 
-    /// Skips rows at almost no cost, for there is no sink.
     fn pass_over(&mut self, rows: usize) {
         for _ in 0..rows {
             match self.sources.rings.rows.pop() {
@@ -369,7 +363,6 @@ impl TelemetryThread {
         }
     }
 
-    /// Marks all keys if rows found no room in the ring.
     fn note_gap(&mut self) {
         let dropped = self.sources.rings.dropped.load(Ordering::Relaxed);
         if self.newest.dropped < dropped {
@@ -430,7 +423,6 @@ impl TelemetryThread {
         }
     }
 
-    /// Returns the times of `tick`, if known, and skips those of earlier ticks.
     fn pulse(&mut self, tick: u64) -> Option<PulseRow> {
         loop {
             let pulse = self.sources.early.take().or_else(|| self.sources.pulses.pop().ok())?;

@@ -37,7 +37,6 @@ pub(super) enum Arm {
     Off,
 }
 
-/// Rows of all keys that wait for their tick.
 #[derive(Debug)]
 pub(super) struct Feed {
     rows: Vec<VecDeque<(u64, KeyTick)>>,
@@ -179,7 +178,6 @@ fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
         _ => LaneStatus::Waited,
     };
     let revision = *block.revision.get(row)?;
-    // Not needed, but a whole row has it.
     block.events.get(row)?;
     let [limit, late_limit] = [&block.limit, &block.late_limit]
         .map(|limits| limits.get(row).copied().filter(|limit| 0 < *limit));

@@ -28,7 +28,6 @@ struct ReplaySlot {
     revision: u32,
     /// Ticks in which its lane was not done.
     pending: Vec<(u64, KeySample, TickRules)>,
-    /// Results of those ticks.
     late: LateResult,
     /// `true` if its lane was late for longer than the recording contains.
     is_unknown: bool,
@@ -40,7 +39,6 @@ pub(super) struct ReplayLanes {
     slots: Vec<Option<ReplaySlot>>,
     voices: RecordedVoices,
     scene: Scene,
-    /// Inputs of the current tick.
     fed: Vec<KeyTick>,
     pub(super) failed: Option<ReplayError>,
 }
@@ -51,7 +49,7 @@ impl ReplayLanes {
         Self { slots, voices: BTreeMap::new(), scene, fed: Vec::new(), failed: None }
     }
 
-    /// Adds a voice that may be put in from now on; the first one of a key begins.
+    /// Adds a voice that may play from now on; the first one of a key begins.
     pub(super) fn learn(
         &mut self,
         key: u32,
@@ -67,7 +65,6 @@ impl ReplayLanes {
         Ok(())
     }
 
-    /// Returns `true` if the run ticks of some voice are not known.
     pub(super) fn is_unknown(&self) -> bool {
         self.slots.iter().flatten().any(|slot| slot.is_unknown)
     }
@@ -102,7 +99,7 @@ impl ReplaySlot {
         })
     }
 
-    /// Applies the changes of this key up to `revision`, as before a tick of the run.
+    /// Applies the key's changes up to `revision`, as before a tick of the run.
     fn change(
         &mut self,
         revision: u32,
@@ -184,8 +181,7 @@ impl ReplaySlot {
         Ok(())
     }
 
-    /// Runs those of the late ticks that were run: at most one, since a voice is away with its
-    /// lane until it comes back.
+    /// Runs the late ticks that were run: at most one, since a voice is away with its lane.
     fn catch_up(&mut self, tick: u64, &KeyTick { unrun, late_limit, .. }: &KeyTick) {
         for (late, sample, rules) in std::mem::take(&mut self.pending) {
             let before = u32::try_from(tick - late).unwrap_or(u32::MAX);
@@ -217,7 +213,6 @@ impl Lanes for ReplayLanes {
     }
 }
 
-/// The samples of a recording, as a bus.
 #[derive(Debug)]
 pub(super) struct ReplayBus {
     pub(super) samples: [KeySample; KEYS],

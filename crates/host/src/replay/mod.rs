@@ -6,10 +6,9 @@
 //!     └──────────────── messages ──────────▶ Comparison ◀── messages ── TelemetryThread
 //! ```
 //!
-//! The recording contains all inputs of the run: which ticks were run, the samples and their age,
-//! which lane was late, when a voice was put in or retuned, when voices were disarmed. The code
-//! computes the rest from these inputs again. A replay ends at a hole of a damaged recording,
-//! since the state of its voices behind the hole is not recorded.
+//! The recording contains all inputs of the run: the ticks that ran, samples and their age, late
+//! lanes, changed voices, disarming. The code computes the rest again. A replay ends at a hole of a
+//! damaged recording, since the state of the voices behind it is not recorded.
 
 mod compare;
 mod feed;

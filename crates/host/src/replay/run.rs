@@ -34,7 +34,6 @@ pub struct Replayed {
     /// First tick with incomplete inputs, if any: the recording breaks off or has a hole, rows are
     /// missing, or a lane was late for too long. Nothing is compared from there on.
     pub incomplete_from: Option<u64>,
-    /// Damage that ended the replay; a sentence.
     pub damage: Option<String>,
     pub faults: u64,
     pub strikes: u64,
@@ -97,7 +96,6 @@ struct RecordedInputs {
     pedals: Vec<PedalMove>,
     /// Ticks of a pass, if the pedals repeat.
     pass: Option<u64>,
-    /// `true` if messages follow damage.
     has_hole: bool,
 }
 
@@ -107,7 +105,6 @@ struct ReplayEngine {
     bus: ReplayBus,
     lanes: ReplayLanes,
     is_running: bool,
-    /// Last tick that ran, 0 before the first.
     last: u64,
 }
 
@@ -123,7 +120,7 @@ struct ReplaySinks {
 const RING: usize = 1 << 16;
 
 impl ReplayEngine {
-    /// Runs `tick` with the inputs of `feed`. Returns `true` if the scheduler ran it.
+    /// Runs `tick` with the inputs of `feed`. Returns `true` if the scheduler did.
     fn run(
         &mut self,
         tick: u64,
@@ -328,7 +325,6 @@ impl Replay {
         let mut is_torn = self.comparison.forget_unrun() || self.recording.has_hole;
         self.comparison.window(self.engine.last, &self.sinks.replayed);
         let timed = self.comparison.n_sent();
-        // Ends the notes, as the run did.
         self.sinks.dispatcher.end_notes(self.comparison.ending());
         self.sinks.telemetry.pump();
         self.comparison.window(self.engine.last, &self.sinks.replayed);

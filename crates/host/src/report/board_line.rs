@@ -8,7 +8,7 @@ use boards::rt::key_fault::KeyFault;
 use firmware_protocol::key::{KeyIndex, MOST_KEYS};
 use serde::Serialize;
 
-/// The part of a report about one board.
+/// Part of a report about one board.
 #[derive(Clone, Debug, Serialize)]
 pub struct BoardLine {
     pub link: String,
@@ -97,7 +97,6 @@ pub struct SampleTiming {
 /// A key that is not played, since its sensor or motor cannot be trusted.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct MutedKey {
-    /// Name, such as C4.
     pub key: String,
     pub reason: &'static str,
     pub remedy: &'static str,
@@ -269,7 +268,6 @@ pub(crate) fn unproven_words(keys: &str) -> String {
     )
 }
 
-/// Returns the names of the keys whose bits are set; bit 0 is `first_key`.
 pub(crate) fn key_names(first_key: u8, slots: u16) -> Vec<String> {
     let keys = (first_key..).map_while(KeyIndex::new).take(MOST_KEYS).enumerate();
     let keys = keys.filter(|(slot, _)| slots >> slot & 1 == 1);
@@ -339,8 +337,7 @@ impl BoardLine {
         missing as f64 / (frames + missing).max(1) as f64
     }
 
-    /// Returns the share of its samples that were never answered, except those between arming and
-    /// the first force.
+    /// Returns the share of its samples without answer, except those before the first force.
     fn unanswered(&self) -> f64 {
         /// Samples that a board sends before the first force, and forces that make a share.
         const BEFORE: u32 = 300;
@@ -352,7 +349,6 @@ impl BoardLine {
         })
     }
 
-    /// Returns the reason if it accepted none of the sent forces.
     fn untaken(&self) -> Option<String> {
         /// Rejected forces that are no accident of a start.
         const MANY: u64 = 200;
@@ -380,7 +376,6 @@ impl BoardLine {
             || LOSS_TO_FAIL < self.lost().max(self.unanswered())
     }
 
-    /// Returns `true` if none of its samples arrived in the run.
     fn was_never_heard(&self) -> bool {
         self.frames.samples_hz <= 0.0
     }

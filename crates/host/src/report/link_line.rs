@@ -92,7 +92,6 @@ pub(crate) const fn wire_words(state: WireState) -> &'static str {
     }
 }
 
-/// Prints the table of all links, if any, and the tight ones.
 pub(super) fn fmt_table(lines: &[LinkLine], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if lines.is_empty() {
         return Ok(());

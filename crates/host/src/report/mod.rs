@@ -50,7 +50,6 @@ pub struct RunReport {
     pub energy_audit: AuditReport,
     pub midi: MidiReport,
     pub recording: Option<RecordingReport>,
-    /// Work that was omitted because ticks had too little time.
     pub overload: OverloadReport,
     /// The first 1000 gaps of ticks, in order. A note that was played there may be missing.
     pub pauses: Vec<LostTicks>,
@@ -72,12 +71,11 @@ pub struct RunExtent {
     pub lanes: usize,
 }
 
-/// Events, faults and work, summed over all voices.
+/// Events, faults and work of all voices.
 #[derive(Clone, Debug, Serialize)]
 pub struct VoiceTotals {
     /// Reset maps applied by all models.
     pub events: u64,
-    /// Hammers that met their string.
     pub strikes: u64,
     pub faults: u64,
     /// Keys muted because they generated energy or failed repeatedly.
@@ -101,8 +99,7 @@ pub struct RecordingReport {
 }
 
 impl RunReport {
-    /// Returns a sentence on each faulty link and board; none after `letoff stop`, since boards
-    /// render no force then.
+    /// Returns a sentence on each faulty link and board; none after `letoff stop`.
     pub fn board_troubles(&self) -> Vec<String> {
         let faults = self.lines.iter().filter_map(|line| line.fault.clone());
         let boards = self.boards.iter().filter(|_| !self.extent.stopped);
@@ -135,20 +132,16 @@ pub struct Realtime {
 pub struct Deadline {
     /// Ticks with late forces, or that never ran.
     pub missed: u64,
-    /// Missed because the voices took too long.
     pub missed_own_work: u64,
     /// Those with no more evaluations than a tick in time, so no model took that time.
     pub own_work_unexplained: u64,
     /// Ticks without time because simulated keys made up for skipped ticks.
     pub by_simulated_keys: u64,
-    /// Missed because the system woke the tick too late.
     pub missed_woken_late: u64,
-    /// Missed because the system took the processor away.
     pub missed_preempted: u64,
     /// Wake-ups of the bare timer later than the usual tick's spare time; `None` in virtual time.
     pub timer_stops: Option<u64>,
-    /// Time that a hypervisor took from all processors during the run (s); `None` if the kernel
-    /// does not count it.
+    /// Time that a hypervisor took from all processors (s); `None` if the kernel does not count it.
     pub stolen_s: Option<f64>,
     pub lateness_us: Quantiles,
     /// CPU time of a tick.
@@ -215,9 +208,7 @@ pub struct MidiReport {
     pub failed: u64,
     /// Sound and picture beside the output; `None` if there is neither.
     pub sound: Option<String>,
-    /// Counts of the live sound's callback.
     pub callbacks: Option<SoundReport>,
-    /// First reason; a sentence.
     pub trouble: Option<String>,
 }
 

@@ -26,8 +26,7 @@ pub struct NoteReport {
     pub end_error_ms: ErrorQuantiles,
     /// Distances of release velocities from the written ones, if the pieces contain any.
     pub release_error: Option<ErrorQuantiles>,
-    /// Notes that are missed or late though the pianist played them, and extra strikes, in order
-    /// of time.
+    /// Notes missed or late though the pianist played them, and extra strikes, in order of time.
     pub deviations: Vec<NoteDeviation>,
     /// Softest and loudest hammer speed that every key of the pieces can reach (m/s).
     pub range_m_per_s: Option<(f64, f64)>,
@@ -78,7 +77,6 @@ impl UnplayedNotes {
 /// A note that the keys cannot play as written.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoteShortfall {
-    /// Name of the key, such as C4.
     pub key: String,
     /// Intended time of sounding (s since the start of the run).
     pub at_s: f64,
@@ -108,7 +106,6 @@ impl fmt::Display for NoteShortfall {
 /// A note that ends early for the next stroke on its key.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoteCut {
-    /// Name of the key, such as C4.
     pub key: String,
     /// Intended time of the note (s since the start of the run).
     pub at_s: f64,

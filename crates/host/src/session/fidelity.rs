@@ -75,7 +75,6 @@ fn costliest(shares: &[Vec<f64>], has_more: impl Fn(usize, usize) -> bool) -> Op
     lower.max_by(|a, b| share(a).total_cmp(&share(b)))
 }
 
-/// Returns the share of each lane's time for the keys of `range` at `level`.
 fn level_share(scene: &Scene, range: KeyRange, level: &FidelityLevel) -> Result<f64, BuildError> {
     let mut tried = scene.clone();
     tried.set_fidelity(range, level);

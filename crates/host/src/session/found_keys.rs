@@ -60,7 +60,6 @@ impl FoundKeys {
         Ok(Self { scene, source })
     }
 
-    /// Rejects keys on boards that are not stable with the delay of their links.
     fn refuse_unstable(&self) -> Result<(), SessionError> {
         if matches!(self.source, KeySource::Simulated(_)) {
             return Ok(());
@@ -79,7 +78,6 @@ impl FoundKeys {
     }
 }
 
-/// Rejects boards that do not follow the time of the run.
 fn refuse_other_time(boards: &Boards, options: RunOptions) -> Result<(), SessionError> {
     let (programs, real): (Vec<_>, Vec<_>) =
         boards.buses.iter().map(|bus| &bus.address).partition(|it| it.kind.is_in_lockstep);
@@ -92,7 +90,6 @@ fn refuse_other_time(boards: &Boards, options: RunOptions) -> Result<(), Session
     }
 }
 
-/// Returns the sentence about `keys` without a board, in order; `None` if there are none.
 fn without_board(keys: &[KeyIndex]) -> Option<String> {
     let rows = keys.chunk_by(|key, next| key.number() + 1 == next.number());
     let ranges = rows.filter_map(|row| KeyRange::new(*row.first()?, *row.last()?));

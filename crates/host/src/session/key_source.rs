@@ -22,8 +22,7 @@ const LONGEST_DELAY: f64 = MAX_DELAY_STEPS as f64 * MAX_SUBSTEP;
 
 /// Finds the boards of a scene at `tick_hz` without arming them.
 ///
-/// An overload of their links is rejected: before the links are opened if the scene lists the
-/// boards, else when the boards are known.
+/// Rejects overloaded links before they are opened if the scene lists the boards, else afterwards.
 pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<KeySource, SessionError> {
     let terms = terms(boards, tick_hz)?;
     refuse_overload(&planning::listed(boards, tick_hz))?;
@@ -64,7 +63,6 @@ fn terms(boards: &Boards, tick_hz: u32) -> Result<Terms, SessionError> {
 }
 
 impl KeySource {
-    /// Returns `true` if the key with this index has a motor.
     pub(super) fn carries(&self, key: usize) -> bool {
         match self {
             Self::Simulated(_) => true,

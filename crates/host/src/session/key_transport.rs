@@ -19,7 +19,6 @@ use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
 use crate::report::{BoardLine, LinkLine, LinkReport};
 
-/// Planned load of each line; `None` where times are not known.
 pub(super) type Plans = Vec<Option<BusPlan>>;
 
 pub(super) enum KeyTransport {
@@ -125,8 +124,7 @@ impl KeyBus for KeyTransport {
 }
 
 impl KeyTransport {
-    /// Exchanges with boards until tick 0 is due, so that they stay armed and tick 0 finds new
-    /// samples.
+    /// Exchanges with boards until tick 0 is due, so that they stay armed and samples are new.
     pub(super) fn attend_until_start(&mut self) {
         let Self::Boards(keybed, _, start_us) = self else { return };
         while keybed.now_us() + keybed.period_us() < *start_us {
@@ -155,7 +153,6 @@ impl KeyTransport {
         }
     }
 
-    /// Stops the forces of boards; a simulated keybed ends with the run.
     pub(super) fn disarm(&mut self) {
         match self {
             Self::Simulated(_) => {}
@@ -183,7 +180,6 @@ impl KeyTransport {
         }
     }
 
-    /// Returns a line on each board after `seconds` of run time; none if simulated.
     pub(super) fn boards(&self, seconds: f64) -> Vec<BoardLine> {
         match self {
             Self::Simulated(_) => Vec::new(),

@@ -13,7 +13,6 @@ use crate::session::{SessionError, patiently};
 use midi::sound::SoundCounters;
 use scene::{Midi, MidiOutput};
 
-/// Drops every message.
 #[derive(Clone, Copy, Debug)]
 struct Nowhere;
 
@@ -94,7 +93,6 @@ pub(super) fn open(
     patiently(|| open_now(&port, &name, handle))
 }
 
-/// Opens `port`, called `name` in messages, behind the guardian of `handle`.
 fn open_now(
     port: &GuardedPort,
     name: &str,
@@ -118,7 +116,6 @@ fn open_now(
     }
 }
 
-/// Returns the null output if the machine has no MIDI; rejects other failures.
 fn without_port(
     name: String,
     trouble: &GuardianTrouble,
@@ -132,7 +129,6 @@ fn without_port(
     }
 }
 
-/// Opens a port behind the guardian of `handle`, or in this process without one.
 fn open_port(
     port: &GuardedPort,
     handle: &Arc<RunHandle>,
@@ -150,7 +146,7 @@ fn open_port(
     Ok((Box::new(output), report))
 }
 
-/// Rejects a file in a missing folder before the run, since the file is written at its end.
+/// Rejects a file in a missing folder before the run, since it is written at the end.
 pub(super) fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {

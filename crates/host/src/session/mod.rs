@@ -80,18 +80,14 @@ pub enum SessionError {
     },
     #[error("{path} cannot be written: there is no folder {folder}; make it first")]
     NoFolder { path: String, folder: String },
-    /// The MIDI output is of no known kind.
     #[error("the MIDI output cannot be opened: {0}")]
     Midi(String),
     #[error(transparent)]
     Sound(#[from] midi::sound::SoundError),
-    /// The MIDI port is missing, or another program has it.
     #[error("the MIDI output cannot be opened: {0}")]
     MidiPort(String),
-    /// Ports or interfaces cannot be opened; a sentence on each.
     #[error("{0}")]
     Links(String),
-    /// Boards are missing or not usable.
     #[error(transparent)]
     Boards(#[from] boards::refusal::Refusals),
     #[error(
@@ -119,7 +115,6 @@ pub enum SessionError {
          give --performance none, and play yourself"
     )]
     NoFingers,
-    /// The system provided no thread, descriptor or memory.
     #[error("the system refused what a run needs: {0}")]
     System(#[from] std::io::Error),
     #[error("virtual time needs an end: give --duration, or a performance that does not repeat")]
@@ -165,7 +160,6 @@ impl SessionError {
     }
 }
 
-/// Duration of the attempts for a failure that time may heal.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 const PAUSE: Duration = Duration::from_millis(250);
@@ -222,7 +216,7 @@ struct PreparedRun {
     handle: Arc<RunHandle>,
 }
 
-/// Settings of a run, fixed before its first tick.
+/// Settings fixed before a run's first tick.
 #[derive(Debug)]
 pub struct RunPlan {
     name: String,
@@ -351,8 +345,7 @@ impl RunSession {
         Arc::clone(&self.prepared.handle)
     }
 
-    /// Inserts `trial` between the scheduler and the simulated keys, which it prepares here; not
-    /// used for real keys.
+    /// Inserts `trial` between the scheduler and the simulated keys; not used for real keys.
     pub fn try_keys(
         &mut self,
         prepare: impl FnOnce(&mut SimulatedKeybed),
@@ -482,7 +475,6 @@ fn dispatcher(
     dispatcher
 }
 
-/// Returns the assessor of `performance`, without the notes that the pianist leaves out.
 fn assessor(performance: &Performance) -> Assessor {
     let is_left_out = |note: &ExpectedNote| {
         let same = |it: &&ShortStroke| (it.key, it.onset) == (note.key, note.onset);

@@ -49,8 +49,7 @@ pub(super) struct ObservedOutputs {
     sender: mpsc::Sender<TelemetryMessage>,
 }
 
-/// Returns the tick's recorder for a run of `scene` with ticks of `period` (s), and its
-/// outputs.
+/// Returns the tick's recorder for ticks of `period` (s), and its outputs.
 pub(super) fn connect(
     scene: &Scene,
     period: f64,
@@ -68,7 +67,6 @@ pub(super) fn connect(
     Ok((recorder, ObservedOutputs { pulses, telemetry, catalogue, sender }))
 }
 
-/// Builds the voices of a scene, measures their costs, and sends them to telemetry.
 pub(super) fn voices(
     builder: &VoiceBuilder<'_>,
     handle: &RunHandle,
@@ -99,7 +97,7 @@ pub(super) fn pedals(list: Option<&RehearsedPlayList>, handle: &RunHandle) -> Ve
     performance.pedals.clone()
 }
 
-/// Describes the run for clients, with the ticks of a pass where the play list repeats.
+/// Describes the run for clients.
 pub(super) fn describe(
     handle: &RunHandle,
     (scene, pass): (&Scene, Option<u64>),
@@ -128,7 +126,6 @@ impl ObservedOutputs {
         self.sender.clone()
     }
 
-    /// Returns both ends of the telemetry of a run with tick 0 at `began` (ns since 1970).
     pub(super) fn begin(self, began: u64) -> (Pulses, Box<TelemetryThread>) {
         let Self { pulses, mut telemetry, catalogue, sender: _ } = self;
         telemetry.begin(began, *catalogue);

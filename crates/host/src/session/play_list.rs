@@ -32,7 +32,6 @@ pub(super) struct RehearsedPlayList {
     pub(super) unplayed: UnplayedNotes,
     /// Bars and names of the piece for a MIDI file, which begin at time 0 of the run.
     pub(super) timing: Option<ScoreTiming>,
-    /// `true` if the rehearsal was kept from an earlier run.
     pub(super) is_kept: bool,
 }
 
@@ -89,7 +88,6 @@ pub(super) fn rehearse(
     Ok(Some(RehearsedPlayList { performance, pieces, pass, unplayed, timing, is_kept }))
 }
 
-/// Reads pieces as one score, with a rest between them.
 fn load_all(pieces: &[PerformanceSource], parts: &ChosenParts) -> Result<Score, SessionError> {
     let load = |source: &PerformanceSource| {
         let failed = |reason| SessionError::Performance { name: source.name(), reason };
@@ -100,9 +98,8 @@ fn load_all(pieces: &[PerformanceSource], parts: &ChosenParts) -> Result<Score, 
     Ok(lifted.reduce(|one, next| one.followed_by(next, REST)).unwrap_or_default())
 }
 
-/// Returns the bars of a single piece that is written to a file, and lengthens the silence before
-/// the piece to whole bars, so that the bars of the file are those of the piece. Several pieces, or
-/// a piece that repeats, have none: their rests are no bars.
+/// Returns the bars of a single piece for a file, and lengthens the silence before the piece to
+/// whole bars. Several pieces, or a piece that repeats, have none: their rests are no bars.
 fn timing_of(scene: &Scene, score: &Score, technique: &mut Technique) -> Option<ScoreTiming> {
     let repeats = scene.play_list.as_ref().is_some_and(|list| list.repeat);
     let is_written = matches!(scene.midi.output, MidiOutput::File(_)) && !repeats;
@@ -111,8 +108,7 @@ fn timing_of(scene: &Scene, score: &Score, technique: &mut Technique) -> Option<
     Some(timing)
 }
 
-/// Plays keys without dynamics with an even touch, however their notes are written: an organ gets
-/// no louder from a harder touch.
+/// Plays keys without dynamics with an even touch: an organ gets no louder from a harder touch.
 fn without_dynamics(score: &mut Score, scene: &Scene) {
     const EVEN: u8 = 64;
     for note in &mut score.notes {
@@ -123,7 +119,6 @@ fn without_dynamics(score: &mut Score, scene: &Scene) {
     }
 }
 
-/// Asks a model whether all its notes have one velocity.
 struct HasOneVelocity;
 
 impl Visitor for HasOneVelocity {
@@ -157,8 +152,7 @@ fn least_ticks(score: &Score, period: f64) -> f64 {
     last.into_values().sum::<f64>() / period
 }
 
-/// Returns the notes of `score` that are struck before `duration` (s) on keys with a voice, and
-/// the notes that are left out.
+/// Returns the notes struck before `duration` (s) on keys with a voice, and those left out.
 fn within(
     mut score: Score,
     duration: Option<f64>,

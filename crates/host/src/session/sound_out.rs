@@ -14,7 +14,6 @@ use super::midi_out::{OpenedOutput, refuse_without_folder};
 use crate::midi_thread::AnyOutput;
 use scene::{Instrument, Scene, SoundConfig};
 
-/// Sends each message to several outputs.
 struct Tee(Vec<AnyOutput>);
 
 impl Tee {
@@ -41,7 +40,7 @@ impl Output for Tee {
     }
 }
 
-/// Returns `output` together with the sounds that `scene` wants, which `midi` reports.
+/// Returns `output` together with the sounds of `scene`, which `midi` reports.
 pub(super) fn add(
     scene: &Scene,
     output: AnyOutput,
@@ -95,7 +94,6 @@ fn programs(scene: &Scene) -> Programs {
     std::array::from_fn(|key| program(key).unwrap_or(1))
 }
 
-/// Output that draws its notes as bars, the louder the darker.
 struct NotePicture {
     path: PathBuf,
     title: String,
@@ -134,7 +132,6 @@ impl NotePicture {
     }
 }
 
-/// Returns a colour from light to dark.
 fn shade(velocity: u8) -> Color {
     let Color(red, green, blue) = CURVES[0];
     let light = |part: u8| {

@@ -31,7 +31,6 @@ fn cpus(rules: &ThreadRules, isolated: impl FnOnce() -> Vec<usize>) -> Vec<usize
     if is_free { isolated() } else { rules.cpus.clone() }
 }
 
-/// Returns the number of threads that share the tick of `scene`.
 pub(super) fn lanes(scene: &Scene) -> NonZeroUsize {
     // Respects the affinity of the process and the quota of its control group.
     let processors = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);

@@ -21,7 +21,6 @@ pub trait RunTrial: Send {
 pub(super) struct SimulatedKeys {
     pub(super) keybed: Box<SimulatedKeybed>,
     pub(super) trial: Option<Box<dyn RunTrial>>,
-    /// CPU time of the keys in the last tick.
     work: Nanos,
 }
 

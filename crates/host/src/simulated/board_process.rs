@@ -151,7 +151,6 @@ impl BoardProcess {
         }
     }
 
-    /// Removes its power until then; its memory is lost.
     fn switch_off(&mut self, until: Nanos) {
         if let Ok(board) = self.board.restarted() {
             self.board = board;

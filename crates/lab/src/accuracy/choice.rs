@@ -51,7 +51,7 @@ impl StudyChoice {
         self.methods.iter().flat_map(settings).collect()
     }
 
-    /// Returns the number of all runs; a scenario that cannot be read counts 0.
+    /// Returns the number of runs; a scenario that cannot be read counts 0.
     pub fn count(&self) -> usize {
         let runs = |entry: &&ScenarioEntry| {
             study::build(entry).map_or(0, |study| self.runs(&study.plan()).len())

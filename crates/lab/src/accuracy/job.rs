@@ -48,7 +48,6 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
     }
 }
 
-/// Input of a scenario over the tick that begins after `start` ticks of `h` (s).
 struct ScenarioSignal<'a, S> {
     scenario: &'a S,
     start: f64,

@@ -65,7 +65,6 @@ pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
 });
 
 impl NamedMethod {
-    /// Names the study of a method; the method of the longest steps has a tolerance.
     fn of(stepper: StudiedMethod) -> Self {
         let (name, kind) = match stepper.name() {
             ByNeed::NAME => (ByNeed::NAME, MethodKind::Budgeted),
@@ -107,7 +106,6 @@ impl NamedMethod {
         }
     }
 
-    /// Returns the limits of a tick; without a deadline they are wider.
     pub(super) fn limits(&self) -> Limits {
         match self.kind {
             MethodKind::Fixed | MethodKind::Played | MethodKind::Budgeted => Limits::default(),

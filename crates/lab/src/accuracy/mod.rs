@@ -1,10 +1,8 @@
 //! Speed against error: every scenario with every method and step.
 //!
-//! In the order of a run: `choice`, `method`, `job` (one run), `stepped` (makes the studied step
-//! the step that is taken), `observe`, `judge`, `time`, `row` (the figures of one run).
-//!
-//! Errors of event times and of states away from events are never mixed. A run with a wrong
-//! sequence of events has failed and has no error.
+//! In the order of a run: `choice`, `method`, `job` (one run), `stepped` (the studied step is
+//! taken), `observe`, `judge`, `time`, `row` (the figures of one run). Errors of event times and of
+//! states are never mixed. A run with a wrong sequence of events has failed and has no error.
 
 mod choice;
 mod job;
@@ -47,7 +45,6 @@ pub struct MeasuredScenario {
     pub entry: ScenarioEntry,
     /// End of the scenario (s).
     pub until: f64,
-    /// The runs by method, the longest step first.
     pub rows: Vec<StudyRow>,
 }
 

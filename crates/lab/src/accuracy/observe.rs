@@ -13,7 +13,6 @@ pub(super) struct SeenEvent<M: Model> {
     pub(super) to: M::Mode,
 }
 
-/// State and force at the time of a reference sample.
 pub(super) type FoundSamples<S> = (S, f64);
 
 /// Events, states at sample times and work of a run, for the judge.
@@ -24,7 +23,6 @@ pub(super) struct ObservedRun<M: Model> {
     pub(super) entered: Option<(f64, M::Mode)>,
     /// One per sample of the reference; `None` where no tick ended there.
     pub(super) samples: Vec<Option<FoundSamples<M::State>>>,
-    /// Work of each tick, until the end or the first fault.
     pub(super) work: Vec<Work>,
     /// Energy that the method generated (J).
     pub(super) residual: f64,
@@ -57,7 +55,6 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Observ
     }
 }
 
-/// Returns the work of every tick without a watch, until the end or the first fault.
 fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
     let mut simulator = job.simulator();
     let mut work = Vec::new();

@@ -12,7 +12,6 @@ pub struct StudyRow {
     pub method: &'static NamedMethod,
     pub setting: Setting,
     pub verdict: RunVerdict,
-    /// Work of the run, equal on every machine.
     pub counts: EvaluationCounts,
     pub times: Times,
     /// Energy that the method generated (J).

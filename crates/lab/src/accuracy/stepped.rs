@@ -11,7 +11,6 @@ use pode::{Energetic, Reset, Resets, Settling, State};
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Stepping {
     Ticks,
-    /// The model's longest step, as when it is played.
     Models,
 }
 

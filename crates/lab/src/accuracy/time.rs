@@ -30,7 +30,6 @@ pub(super) fn time<S: Scenario, T: Stepper>(
     figures(ns(whole), &ticks, work, job.tick)
 }
 
-/// Runs all ticks, and reads the clock once at each end.
 fn run<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, ticks: usize) -> Duration {
     let mut simulator = job.simulator();
     let began = Instant::now();
@@ -50,7 +49,6 @@ fn run_by_ticks<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, least: &mut [Du
     }
 }
 
-/// Returns the time between two consecutive clock readings.
 fn clock_reading() -> Duration {
     let nothing = || {
         let began = Instant::now();

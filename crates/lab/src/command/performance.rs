@@ -120,7 +120,6 @@ fn score(kind: &Kind, n_notes: u32, random: &mut SeededRandom) -> Score {
     score
 }
 
-/// Figures of one kind of music.
 #[derive(Debug, Serialize)]
 struct KindRow {
     kind: &'static str,
@@ -128,14 +127,12 @@ struct KindRow {
     struck: usize,
     missed: usize,
     extra: usize,
-    /// Errors of half and of 99 % of the notes.
     onset_ms: [f64; 2],
     velocity: [f64; 2],
     end_ms: [f64; 2],
     release_velocity: [f64; 2],
     /// Notes that end early for the next one.
     cuts: usize,
-    /// Evaluations of the rehearsal over those of the playing.
     work: f64,
 }
 

@@ -67,7 +67,6 @@ pub(super) fn run(args: &PianoArgs, out: &mut dyn Write) -> Result<(), Failure> 
     if missed == 0 { Ok(()) } else { Err(Failure::Running(verdict(&examined))) }
 }
 
-/// Loads an instrument; rejects unknown expected figures.
 fn load(name: &str) -> Result<Instrument, Failure> {
     let instrument = Instrument::load(&Library::default(), name)
         .map_err(|mistakes| Failure::Usage(mechanism::rendered(&mistakes)))?;

@@ -62,7 +62,6 @@ pub struct RigRow {
 #[derive(Clone, PartialEq, Debug)]
 pub struct ClosedLoop {
     pub pace: Pace,
-    /// The paper's step, which was in the loop.
     pub paper: ModelRun,
     /// Same samples, held, with located events.
     pub located: ModelRun,
@@ -71,7 +70,6 @@ pub struct ClosedLoop {
     pub rig: Vec<RigRow>,
 }
 
-/// Rig, hand and model in one loop.
 struct Servo<'a, S> {
     rig: KeyRig,
     path: HandPath<S>,

@@ -1,7 +1,6 @@
 //! The hand of the experiment and its rig.
 //!
-//! The rig is [`RigParameters::PAPER`]. The motion of the hand is an estimate (E), chosen to
-//! reproduce the story of figure 6.
+//! The rig is [`RigParameters::PAPER`]. The motion of the hand is an estimate (E) for figure 6.
 
 use core::f64::consts::TAU;
 
@@ -30,7 +29,6 @@ const WAIT: f64 = 0.8;
 /// Time of the hand before the model's time 0 (s of the hand).
 pub(super) const LEAD_IN: f64 = APPROACH + WAIT;
 
-/// A constant of rig or hand, for reports.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RigValue {
     pub(super) title: &'static str,

@@ -64,7 +64,6 @@ impl StepKind {
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct StepErrors {
     pub kind: StepKind,
-    /// `true` if all events occur in order, and no others.
     pub is_whole: bool,
     /// Time error of each event in order (s).
     pub events: Vec<f64>,

@@ -7,13 +7,11 @@
 //!
 //! `sampled` is the paper's step: RK4 with the input held, guards checked once a step.
 //! `closed_loop` is all of it, with model time slower than the hand's or equal. `located` locates
-//! the events. `judge` measures the error of the paper's step on a stroke with independently
-//! known events.
+//! the events. `judge` measures the step's error on a stroke with independently known events.
 //!
 //! From the paper: model B and its Table 2, step, servo cycle, method, encoder, travel, story.
 //! Estimates that reproduce the story: the stroke, the rig's masses, frictions and motor, and the
-//! hand. The hand is practised: it commands the stroke under the expected force, and feels the
-//! remaining difference.
+//! hand, which commands the stroke under the expected force.
 
 mod closed_loop;
 mod hand;

@@ -12,7 +12,6 @@ pub(super) type ModelState = <SmallModel as Model>::State;
 pub struct RunRow {
     /// Model time (s).
     pub t: f64,
-    /// Name of the mode from then on.
     pub mode: &'static str,
     /// Input angle of the manipulandum (rad).
     pub s: f64,
@@ -36,7 +35,6 @@ pub struct RunEvent {
     /// Model time at which the step acted on it (s).
     pub t: f64,
     pub guard: &'static str,
-    /// Modes before and after it.
     pub from: &'static str,
     pub to: &'static str,
 }

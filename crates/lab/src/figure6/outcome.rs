@@ -75,7 +75,6 @@ struct ReadingSummary<'a> {
     hand: (f64, f64),
 }
 
-/// An event of the paper's step, and its times in two better ways of stepping.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct EventTimes<'a> {
     pub(super) guard: &'a str,
@@ -134,7 +133,6 @@ pub(super) fn event_times(it: &ClosedLoop) -> Vec<EventTimes<'_>> {
     it.paper.events.iter().enumerate().map(event).collect()
 }
 
-/// Returns the number of first events that two runs have in equal order and close together.
 fn common(one: &ModelRun, other: &ModelRun) -> usize {
     /// Largest distance in time of one bounce in two runs (s).
     const NEAR: f64 = 50e-3;

@@ -11,7 +11,6 @@ use figures::plot::picture::{
 const SWITCH: Stroke = Stroke::new(INK, 1.6);
 /// Width of the curves (pixels).
 const WIDTH: f64 = 1.9;
-/// Mode with hammer and key in contact.
 const TOGETHER: &str = "B1";
 
 /// Draws a run under a title, with the string at the angle `string` (rad).
@@ -96,7 +95,6 @@ fn rule(event: &RunEvent) -> PictureRule {
     PictureRule { at: event.t, stroke: Stroke { is_dashed: event.from == event.to, ..SWITCH } }
 }
 
-/// Returns the names of strikes, and of switches with a number below the line.
 fn labels(run: &ModelRun) -> Vec<(f64, String)> {
     let mut number = 0_u32;
     let label = |event: &RunEvent| {

@@ -16,13 +16,11 @@ const HOW: &str = "A hand that grips the handle of a simulated rig throws and ca
     of a step. The paper's servo took 7 ms for each step, so the hand worked in slow motion; below \
     it the same gesture with model time that is the hand's.";
 
-/// Introduction of the table of errors.
 const ERRORS: &str = "The stroke of the reference, without a hand in a loop, against the events and \
     states of an independent program: how wrong is each way to step it with RK4 at 2 ms? Forces and \
     stored energies are compared every 10 ms, where no event is within 5 ms. Energy made is what \
     nobody had put in, or what was lost, at its largest.";
 
-/// Introduction of the chart of the loop.
 const BESIDE: &str = "The first figure's gesture once more: the force under the samples as they were \
     taken, against that under the way of the handle between them. What both have in common is the \
     encoder, whose line is 0.3 N, and the input that is held.";
@@ -149,7 +147,6 @@ fn trajectory(it: &ClosedLoop) -> Table {
     Table::new(columns.map(|it| (it, it))).with(it.paper.rows.iter().zip(&it.rig).map(row))
 }
 
-/// Draws the force on the hand, less that under the handle's true motion with located events.
 fn beside(it: &ClosedLoop) -> Picture {
     let ways = [("the paper's step", &it.paper), ("same samples, located", &it.located)];
     let curves = ways.iter().zip(&CURVES[1..]).map(|((name, run), color)| {

@@ -12,7 +12,7 @@ pub(super) struct FitCertainty {
     directions: Vec<(f64, DVector<f64>)>,
 }
 
-/// Size of the remaining differences, and their number of independent rows.
+/// Size of the remaining differences.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct RemainingSpread {
     /// Standard deviation over the stated or estimated noise.

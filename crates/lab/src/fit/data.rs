@@ -86,9 +86,7 @@ pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMi
 
 struct StrokeScan {
     file: String,
-    /// Columns of time, travel and force.
     places: [Option<usize>; 3],
-    /// Line, time, travel and force of each row; a static curve has no times.
     rows: Vec<(u64, [f64; 3])>,
     mistakes: Vec<DataMistake>,
 }
@@ -247,7 +245,6 @@ impl StrokeScan {
         (0..self.rows.len()).max_by(deeper).unwrap_or(0)
     }
 
-    /// Checks that the force presses on the finger on the way down.
     fn check_force(&mut self) {
         let down = &self.rows[..=self.top()];
         let mean = down.iter().map(|row| row.1[2]).sum::<f64>() / down.len() as f64;

@@ -56,7 +56,6 @@ impl DrivenStroke {
         Self { samples, travel_noise: of_travel, track, times, forces, noises }
     }
 
-    /// Returns `true` if the travel has significant noise.
     pub(super) fn is_noisy(&self) -> bool {
         self.travel_noise >= EXACT
     }

@@ -13,19 +13,17 @@
 //! each draw on the values is part of their covariance.
 //!
 //! A search goes downhill from the instrument's values. At its end each parameter is tried some
-//! steps away; if that is better, the search continues from there. It may still end in a local
-//! minimum: the differences are then several times the noise, and the report warns.
+//! steps away; if that is better, the search continues there. In a local minimum the differences
+//! are several times the noise, and the report warns.
 //!
 //! The intervals assume that the remaining differences are Gaussian noise, alike but for their
-//! stated sizes, and that the model is linear in its parameters over an interval. The size of the
-//! noise is that of the remaining differences. Correlated neighbours count as fewer rows, and
-//! Student's t has the rows that are left. Differences of a model that cannot follow the data are
-//! no noise: its intervals describe the best values, not a real action.
+//! stated sizes, and that the model is linear over an interval. Correlated neighbours count as
+//! fewer rows, and Student's t has the rows that are left. Of a model that cannot follow the data,
+//! the intervals describe the best values, not a real action.
 //!
 //! Let-off, pluck and contacts make the force only piecewise smooth in the parameters. So each
-//! derivative is a central difference over a step that moves the force by about half of the
-//! present differences, at least half of their noise, and again over half that step. The report
-//! states the distance of the two.
+//! derivative is a central difference over a step that moves the force by half of the present
+//! differences or noise, and again over half that step. The report states the distance of the two.
 
 mod certainty;
 mod data;

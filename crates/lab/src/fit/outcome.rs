@@ -106,15 +106,12 @@ struct Fitting<'a> {
     start: Vec<f64>,
     values: Vec<f64>,
     now: Differences,
-    /// Indices of the parameters that the data may determine.
     fitted: Vec<usize>,
-    /// Sentences on the parameters that the data do not determine.
     left: Vec<String>,
 }
 
 struct Known {
     certainty: FitCertainty,
-    /// Relative difference of two derivatives of each fitted parameter.
     errors: Vec<f64>,
 }
 

@@ -16,8 +16,7 @@ fn apart(a: &Differences, b: &Differences) -> f64 {
 }
 
 /// Returns a step of each parameter in `fitted` (its unit) that moves the forces by about half of
-/// the differences `now`, or of the noise. It is far above the rounding of the simulation, and wide
-/// enough that a jump moves over a row and a search does not end between two jumps.
+/// the differences `now` or of the noise: far above rounding, and wide enough for jumps over a row.
 pub(super) fn steps(
     task: &FitTask<'_>,
     fitted: &[usize],
@@ -58,9 +57,8 @@ fn step(task: &FitTask<'_>, place: usize, values: &[f64], now: &Differences) -> 
     h.min(0.25 * (high - low))
 }
 
-/// Returns central differences of the forces over their noise with respect to the parameters in
-/// `fitted`, with steps of `part` of `steps`: a row for each row of the data. At an end of its
-/// range, or beside values with which the model fails, a step is one-sided or its column is zero.
+/// Returns central differences of the forces over their noise by the parameters in `fitted`, with
+/// steps of `part` of `steps`; one-sided or zero at an end of a range and where the model fails.
 pub(super) fn jacobian(
     task: &FitTask<'_>,
     fitted: &[usize],

@@ -22,7 +22,6 @@ pub(super) fn noise(values: &[f64]) -> f64 {
 
 /// Removes the noise from `samples` (s, m): each lies on the weighted least-squares cubic through
 /// its neighbours (Cleveland 1979), of the widest window that leaves no more than the noise.
-/// Weights that fall to zero remove 100 times as much noise as a window with an edge.
 pub(super) fn smoothed(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let values: Vec<_> = samples.iter().map(|it| it.1).collect();
     let noise = noise(&values);

@@ -47,8 +47,7 @@ impl<'a> FitTask<'a> {
         self.strokes.iter().map(DrivenStroke::rows).sum()
     }
 
-    /// Returns the forces of each stroke (N) for each set of values, computed on all processors;
-    /// `None` where the model fails or rejects the values.
+    /// Returns the forces of each stroke (N) for each set of values; `None` where the model fails.
     pub(super) fn forces(&self, sets: &[Vec<f64>]) -> Vec<Option<Vec<Vec<f64>>>> {
         let count = self.strokes.len();
         let jobs: Vec<_> =

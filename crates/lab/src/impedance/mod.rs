@@ -9,10 +9,8 @@
 //! ```
 //!
 //! The force is the key's on the finger, up positive; the velocity is the finger's, down positive.
-//! A spring has Z = K/(jω), a damper Z = B, a mass Z = jω m. Z is passive at a frequency where
-//! Re Z ≥ 0: there a finger that shakes the key cannot get work out of it. `[GC93]` §2.
-//!
-//! Voices, recordings and the command line are not here.
+//! A spring has Z = K/(jω), a damper Z = B, a mass Z = jω m. Z is passive where Re Z ≥ 0: there a
+//! finger that shakes the key cannot get work out of it. `[GC93]` §2.
 
 mod curve;
 mod mode;

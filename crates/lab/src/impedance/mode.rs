@@ -31,7 +31,7 @@ const NO_STEP: f64 = 1e-10;
 pub struct HeldMode<'a> {
     pub model: &'a LoadedModel,
     pub values: &'a [f64],
-    /// Structural mode; `None` for the mode in which the model rests.
+    /// Structural mode; `None` for that in which the model rests.
     pub mode: Option<&'a str>,
     /// Travel of the key's front (m).
     pub depth: f64,
@@ -48,7 +48,6 @@ pub fn linearise(held: &HeldMode<'_>) -> Result<LinearMode, String> {
 /// Linear model around a point of one mode.
 #[derive(Clone, Debug)]
 pub struct LinearMode {
-    /// Name of the mode, with its closed contacts.
     pub mode: String,
     /// Force on the finger there (N).
     pub force: f64,
@@ -159,7 +158,6 @@ fn approach(to: f64, t: f64) -> Motion {
     }
 }
 
-/// Returns the indices of the state's entries that `mode` moves by equations.
 fn free_entries<M: Playable>(model: &M, mode: M::Mode) -> Vec<usize> {
     let parts = model.parts(mode);
     let states = 0..model.entry().states.len();

@@ -135,7 +135,6 @@ fn answer(voice: &mut dyn TrialVoice, tick: u64, position: f64) -> Result<f64, &
     }
 }
 
-/// Returns a smooth step from 0 at 0 to 1 at 1, level at both ends.
 pub(crate) fn smooth(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)

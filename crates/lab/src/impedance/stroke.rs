@@ -68,7 +68,6 @@ impl RecordedStroke {
         Ok(ImpedanceCurve { name: self.name.clone(), remark, points })
     }
 
-    /// States the lowest frequency for which the recording is long enough, if any.
     fn too_short(&self, ticks: usize, lowest: f64) -> String {
         let lasts = ticks as f64 * self.held.period;
         let needed = 0.5 * (SEGMENTS as f64 + 1.0) * CYCLES;

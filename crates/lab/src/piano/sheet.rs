@@ -150,7 +150,6 @@ fn times(what: StrokeTime, examined: &[Examination]) -> Picture {
     Picture::of_panel(title, PicturePanel { x, y: vec![time], curves, ..Default::default() })
 }
 
-/// Draws the distance of check after strokes above 1 m/s, on all keys.
 fn checks(examined: &[Examination]) -> Picture {
     let mut curves = Vec::new();
     for (instrument, it) in examined.iter().enumerate() {

@@ -13,7 +13,6 @@ pub struct DiskError {
     pub cause: io::Error,
 }
 
-/// Creates `folder`, and tries to create a file in it.
 pub(super) fn prepare(folder: &Path) -> Result<(), DiskError> {
     let fail = |cause| DiskError { path: folder.to_owned(), cause };
     fs::create_dir_all(folder).map_err(fail)?;
@@ -21,7 +20,6 @@ pub(super) fn prepare(folder: &Path) -> Result<(), DiskError> {
     fs::write(&probe, "").and_then(|()| fs::remove_file(&probe)).map_err(fail)
 }
 
-/// Writes `text` to a file beside `path`, and then renames it.
 pub(super) fn write(path: &Path, text: &str) -> Result<(), DiskError> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(".part");

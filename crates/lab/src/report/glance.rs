@@ -17,7 +17,6 @@ pub(super) fn table(report: &StudyReport) -> Table {
     Table::new(titles).with(report.measured.iter().flat_map(|it| rows(report, it)))
 }
 
-/// Returns the rows of our runs in ticks, our offline runs, and others, where they exist.
 fn rows(report: &StudyReport, measured: &MeasuredScenario) -> Vec<Vec<TableCell>> {
     let failed = format!("{} of {}", failures(measured), measured.rows.len());
     let mut rows = vec![row(measured.entry.name, &failed, |it| in_ticks(measured, it))];

@@ -11,7 +11,6 @@ const STYLE: &str = include_str!("style.css");
 #[derive(Clone, Debug)]
 pub struct Report {
     title: String,
-    /// Content below the title, as HTML.
     body: String,
     files: Vec<(String, String)>,
 }
@@ -31,7 +30,6 @@ pub enum TableCell {
     /// Number: all digits in CSV, four on the page.
     Number(f64),
     Missing,
-    /// Words or a number that report a failure.
     WrongWords(String),
     WrongNumber(f64),
 }
@@ -86,7 +84,6 @@ impl Table {
             .collect()
     }
 
-    /// Returns the table as HTML that scrolls sideways on its own.
     fn html(&self) -> String {
         let mut text = "<div class=\"wide\"><table>\n<tr>".to_owned();
         let is_shown = |it: &usize| !self.columns[*it].1.is_empty();
@@ -187,7 +184,6 @@ fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Returns `text` as a field of CSV, quoted if necessary.
 fn field(text: &str) -> String {
     if text.contains([',', '"', '\n']) {
         return format!("\"{}\"", text.replace('"', "\"\""));

@@ -37,7 +37,6 @@ pub struct Peer {
 }
 
 impl Peer {
-    /// Returns code, method and setting, the identity of a curve.
     pub(super) fn curve(&self) -> String {
         format!("{} {} ({})", self.code, self.method, self.setting)
     }
@@ -50,7 +49,6 @@ impl Peer {
         }
     }
 
-    /// Formats tolerance or step with its significant digits.
     pub(super) fn knob(&self) -> String {
         self.tolerance_or_step.map(text::exponent).unwrap_or_default()
     }

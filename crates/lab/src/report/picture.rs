@@ -44,7 +44,6 @@ fn picture(title: String, panels: &[Quantities], curves: &[CostErrorCurve]) -> P
     }
 }
 
-/// A curve of runs from the coarsest to the finest.
 #[derive(Clone, Debug)]
 struct CostErrorCurve {
     name: String,
@@ -76,7 +75,6 @@ fn curves(measured: &MeasuredScenario) -> Vec<CostErrorCurve> {
     curves
 }
 
-/// Returns the curves of all codes on a problem that ends at `until` (s).
 fn peer_curves(peers: &[&Peer], until: f64) -> Vec<CostErrorCurve> {
     let mut curves: Vec<CostErrorCurve> = Vec::new();
     for peer in peers {
@@ -99,7 +97,6 @@ fn ours(index: usize, kind: MethodKind) -> CurveStyle {
             shape: MarkerShape::ALL[index % MarkerShape::ALL.len()],
             stroke: Stroke::new(CURVES[index % CURVES.len()], 1.6),
         },
-        // Emphasise the method of instruments.
         MethodKind::Played => broad(BLACK),
         MethodKind::Budgeted => broad(GREY),
     }
@@ -130,7 +127,6 @@ fn of_peer(peer: &Peer, peers: &[&Peer]) -> CurveStyle {
 }
 
 impl CostErrorCurve {
-    /// Returns the curve of two quantities, in stretches of right runs that have both.
     fn against(&self, quantities: &Quantities) -> PictureCurve {
         let place = |it: &CostErrorPoint| {
             let (x, y) = ((quantities.x)(it)?, (quantities.y)(it)?);
@@ -177,7 +173,6 @@ impl CostErrorPoint {
         }
     }
 
-    /// Returns the point of another code's run until `until` (s).
     fn of_peer(peer: &Peer, until: f64) -> Self {
         Self {
             is_right: peer.sequence_ok,

@@ -2,7 +2,6 @@ use super::page::{Table, TableCell};
 use super::peers::Peer;
 use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 
-/// Name and title of each figure of a run of ours.
 const OURS: [(&str, &str); 33] = [
     ("scenario", ""),
     ("method", "method"),

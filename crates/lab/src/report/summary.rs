@@ -25,7 +25,6 @@ struct ScenarioSummary {
     in_ticks: Vec<Cheapest>,
     /// Our cheapest run with steps by a tolerance, for each target that one meets.
     offline: Vec<Cheapest>,
-    /// The cheapest runs side by side: ours, other people's, written by hand.
     side_by_side: [Vec<Cheapest>; 3],
 }
 
@@ -65,12 +64,10 @@ pub(super) fn failures(measured: &MeasuredScenario) -> usize {
     measured.rows.iter().filter(wrong).count()
 }
 
-/// Returns our cheapest run in ticks with an event-time error of at most `target` (s).
 pub(super) fn in_ticks(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
     ours(measured, target, |kind| kind != MethodKind::Controlled)
 }
 
-/// Returns our cheapest run by a tolerance with an event-time error of at most `target` (s).
 pub(super) fn offline(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
     ours(measured, target, |kind| kind == MethodKind::Controlled)
 }

@@ -23,7 +23,6 @@ struct AgmStep {
     c: f64,
 }
 
-/// Returns all steps from a = 1 until they do not change.
 fn means(k: f64) -> Vec<AgmStep> {
     /// Convergence is quadratic: below k = 1 − ε no more are needed.
     const MOST: usize = 12;

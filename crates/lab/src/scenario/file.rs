@@ -68,7 +68,6 @@ struct ReferenceEvent {
     to: String,
 }
 
-/// Parses a number, which is text if it has more digits than JSON numbers.
 fn number(value: &Value) -> Option<f64> {
     value.as_f64().or_else(|| value.as_str()?.parse().ok())
 }
@@ -78,7 +77,6 @@ impl ReferenceCase {
         serde_json::from_str(file.json).map_err(|error| file.wrong(error))
     }
 
-    /// Returns `model` with the case's parameters; the others are of its first preset.
     pub(super) fn model<M: Described>(&self, model: &M) -> M {
         let entry = model.entry();
         let value = |index: usize, name: &str| {
@@ -114,7 +112,6 @@ impl ReferenceCase {
         self.events.iter().map(event).collect()
     }
 
-    /// Returns the rows of the trajectory that are not close to events.
     pub(super) fn samples<M: Described>(
         &self,
         model: &M,

@@ -36,7 +36,6 @@ pub(crate) const MS: f64 = 1e-3;
 /// Steps of a key's stroke (s): all divide 5 ms.
 const TICKS: &[f64] = &[5.0 * MS, 2.5 * MS, 1.0 * MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS];
 
-/// Returns the built-in model `name` with its type, if it is small.
 fn small(name: &str) -> Option<SmallModel> {
     Library::default().find(name, Path::new("")).ok()?.small()
 }
@@ -106,7 +105,6 @@ pub struct ScenarioEntry {
     build: Build,
 }
 
-/// Constructor of a scenario: from a closed form, or from an embedded reference.
 #[derive(Clone, Copy, Debug)]
 enum Build {
     Ball(fn() -> Result<BallScenario, BadFile>),
@@ -118,7 +116,6 @@ enum Build {
     Grand(fn() -> Result<GrandStroke, BadFile>),
 }
 
-/// An operation on a scenario whose type is known by its name only.
 pub(crate) trait ScenarioVisitor {
     type Output;
 

@@ -94,7 +94,6 @@ pub(super) type RigidStroke = StrokeScenario<Bells<2>>;
 pub(super) type SpringsStroke = StrokeScenario<Bells<3>>;
 pub(super) type GrandStroke = StrokeScenario<Presses<2>>;
 
-/// Column of the readout in the trajectories of models A and B.
 const TORQUE: &str = "T_KU";
 
 pub(super) fn two_throws() -> Result<RigidStroke, BadFile> {

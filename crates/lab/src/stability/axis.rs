@@ -14,7 +14,6 @@ pub enum AxisTarget {
 #[derive(Clone, PartialEq, Debug)]
 pub struct MapAxis {
     pub target: AxisTarget,
-    /// Name on the command line, and for people.
     pub name: String,
     pub title: String,
     pub unit: String,

@@ -5,9 +5,8 @@ pub(super) type MapPlace = (f64, f64);
 /// Squares along each side.
 const SQUARES: usize = 96;
 
-/// Returns the lines in the unit square along which `margin` is zero. In each square of a grid the
-/// zeros on the edges are joined, interpolated between the corners; of four zeros, the two nearest.
-/// Neighbours share the zero on their common edge bit for bit, so the segments can be joined.
+/// Returns the lines in the unit square on which `margin` is zero. In each square of a grid the
+/// zeros on the edges are joined; neighbours share the zero on their common edge bit for bit.
 pub(super) fn zero_lines(margin: &dyn Fn(MapPlace) -> f64) -> Vec<Vec<MapPlace>> {
     let at = |place: usize| place as f64 / SQUARES as f64;
     let row = |y: usize| (0..=SQUARES).map(|x| margin((at(x), at(y)))).collect::<Vec<_>>();
@@ -29,7 +28,6 @@ pub(super) fn zero_lines(margin: &dyn Fn(MapPlace) -> f64) -> Vec<Vec<MapPlace>>
     joined(pieces)
 }
 
-/// Returns the segments of a line within a square with these corners, around it.
 fn pieces_of(corners: &[(MapPlace, f64); 4]) -> Vec<[MapPlace; 2]> {
     let edges = (0..4).filter_map(|it| zero(corners[it], corners[(it + 1) % 4]));
     let zeros: Vec<_> = edges.collect();
@@ -64,7 +62,6 @@ fn joined(mut pieces: Vec<[MapPlace; 2]>) -> Vec<Vec<MapPlace>> {
     lines
 }
 
-/// Removes the segment with an end at `end`, and returns its other end.
 fn take_from(pieces: &mut Vec<[MapPlace; 2]>, end: MapPlace) -> Option<MapPlace> {
     let found = pieces.iter().position(|it| it.contains(&end))?;
     let [a, b] = pieces.swap_remove(found);

@@ -42,7 +42,6 @@ impl LoopVerdict {
     }
 }
 
-/// Measurements of one window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WindowSums {
     /// Sum of squares of velocity (m²/s²), and their number.

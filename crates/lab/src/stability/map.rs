@@ -53,7 +53,6 @@ pub struct StabilityStudy<'a> {
     pub rig: RigParameters,
     /// Values of all that is no axis.
     pub base: LoopPoint,
-    /// Names of the model's parameters with chosen values, for the report.
     pub chosen: Vec<String>,
     pub axes: [MapAxis; 2],
     pub cells: usize,
@@ -65,7 +64,6 @@ pub struct StabilityMap {
     pub estimator: EstimatorName,
     /// Verdict of each cell, column by column, from the lowest values.
     pub columns: Vec<Vec<LoopVerdict>>,
-    /// Positions along the second axis where each column changes stability.
     pub crossings: Vec<Vec<f64>>,
     pub theories: Vec<TheoryLine>,
 }
@@ -74,7 +72,6 @@ pub struct StabilityMap {
 #[derive(Clone, Debug)]
 pub struct TheoryLine {
     pub theory: StabilityTheory,
-    /// Boundary, in fractions of both axes.
     pub lines: Vec<Vec<MapPlace>>,
     pub crossings: Vec<Vec<f64>>,
 }
@@ -174,7 +171,6 @@ impl StabilityStudy<'_> {
         StabilityMap { estimator, columns, crossings, theories }
     }
 
-    /// Returns the theories for which the map has all values.
     fn theories(&self, estimator: EstimatorName) -> Vec<StabilityTheory> {
         let most = self.point((1.0, 1.0)).values;
         let mut theories = theories(estimator);
@@ -182,7 +178,6 @@ impl StabilityStudy<'_> {
         theories
     }
 
-    /// Returns the points at which a column changes stability.
     fn crossings(&self, estimator: EstimatorName, x: usize, column: &[LoopVerdict]) -> Vec<f64> {
         let is_stable = |it: LoopVerdict| it == LoopVerdict::Rests;
         let [x_part, up] = [self.middle(0, x), self.axes[1].cells(self.cells) as f64];

@@ -10,10 +10,8 @@
 //! ```
 //!
 //! The theory is of passivity: a loop is stable under any passive load of the key. A key of a given
-//! mass allows more, and the worst load is a mass that goes to zero: then the loop's pole at
-//! z = -1 lies on b = K T/2 + B, which is Colgate and Schenkel's boundary.
-//!
-//! The caller makes the voices of models.
+//! mass allows more. The worst load is a mass that goes to zero: then the loop's pole at z = -1
+//! lies on b = K T/2 + B, Colgate and Schenkel's boundary.
 
 mod axis;
 mod contour;

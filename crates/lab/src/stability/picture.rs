@@ -62,9 +62,7 @@ fn axis_title(axis: &MapAxis) -> String {
     }
 }
 
-/// Returns the value at a fraction of an axis, in its shown unit.
 fn shown(axis: &MapAxis, part: f64) -> f64 {
-    // A name has an integer in the middle of its cell.
     axis.names()
         .map_or_else(|| axis.value(part) * axis.shown.1, |names| part * names.len() as f64 - 0.5)
 }

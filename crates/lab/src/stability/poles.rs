@@ -30,7 +30,6 @@ pub fn spectral_radius(wall: &SampledWall, mass: f64, damping: f64) -> Option<f6
     Some(schur.complex_eigenvalues().iter().map(|it| it.norm()).fold(0.0, f64::max))
 }
 
-/// Map of the state over a period.
 struct TickMap<'a> {
     wall: &'a SampledWall,
     whole: usize,

@@ -26,7 +26,6 @@ pub enum LoopQuantity {
 pub struct QuantityEntry {
     pub quantity: LoopQuantity,
     pub name: &'static str,
-    /// Name in reports and pictures.
     pub title: &'static str,
     /// SI unit as typed; empty for a name or a ratio.
     pub unit: &'static str,

@@ -115,7 +115,6 @@ fn ratio(mut all: Vec<f64>) -> Option<BoundaryRatio> {
     Some(BoundaryRatio { columns: all.len(), least, median: all[all.len() / 2], most })
 }
 
-/// Returns name, value (SI) and unit of each effective quantity that is no axis.
 fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f64, &'static str)> {
     let is_axis =
         |quantity| study.axes.iter().any(|it| it.target == AxisTarget::Quantity(quantity));
@@ -123,7 +122,6 @@ fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f
     counted.map(|it| (it.name, study.base.values.get(it.quantity), it.unit))
 }
 
-/// Formats the effective quantities for an estimator in lines.
 fn settings_lines(study: &StabilityStudy<'_>, estimator: EstimatorName) -> Vec<String> {
     const LONGEST: usize = 130;
     let told = settings(study)
@@ -160,7 +158,6 @@ fn setting(name: &str, value: f64) -> String {
     }
 }
 
-/// Introduction of the page.
 const HOW: &str = "Each cell is one closed loop in simulation: the key rests, is knocked once by a \
     weight that is laid on it and taken away, and is left alone. In four windows after that the \
     mean square of its velocity and the range of the force must fall, else it rings for ever or \
@@ -195,7 +192,6 @@ pub fn write_maps(
     report.write(folder)
 }
 
-/// Returns the CSV name of an axis's column, and its title.
 fn column(axis: &MapAxis) -> (String, String) {
     let unit = axis.unit.replace(['*', '^'], "");
     let titled = |title: &str| match unit.as_str() {
@@ -233,7 +229,6 @@ fn boundary_table(study: &StabilityStudy<'_>) -> Table {
 }
 
 impl BoundaryRow {
-    /// Returns a row of the table for each point of the boundary, measured and by theory.
     fn cells(&self, estimator: &str) -> Vec<Vec<TableCell>> {
         let theory = self.theory.iter().map(|(name, all)| (*name, all));
         let named = std::iter::once(("measured", &self.measured)).chain(theory);

@@ -12,7 +12,6 @@ pub(super) type TheoryMargin = fn(&LoopValues) -> f64;
 #[derive(Clone, Copy, Debug)]
 pub struct StabilityTheory {
     pub name: &'static str,
-    /// Statement with its source.
     pub title: &'static str,
     margin: TheoryMargin,
     /// Quantity that must be above zero for the theory to differ from others.

@@ -2,8 +2,7 @@
 //!
 //! Key, encoder, motor and finger are `haptics::plant`'s. A sample is read at the start of each
 //! period; its force acts after the delay and is held until the next. The plant's step is a tenth
-//! of the key's time constant m / b, or a four-thousandth of the period if that is longer: the
-//! key's damping is implicit, so its velocity is correct there, too.
+//! of m / b, or a four-thousandth of the period if that is longer: the key's damping is implicit.
 
 use std::{collections::VecDeque, f64::consts::TAU};
 
@@ -56,7 +55,6 @@ impl LoopKnock {
     }
 }
 
-/// Limits of the key's travel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum KeyTravel {
     Free,
@@ -135,7 +133,6 @@ impl TrialPlant {
     }
 }
 
-/// Returns the finger of a number; `None` for the first.
 fn finger(number: f64) -> Option<FingerParameters> {
     match number {
         ..0.5 => None,

@@ -9,7 +9,6 @@ use documents::toml::{FindingList, SourcePlace, TomlNode};
 
 const NUMBER: Quantity = Quantity { unit: "1", range: (0.0, 14.0) };
 
-/// A board as far as it could be read, and where it stands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Listed {
     place: SourcePlace,
@@ -18,14 +17,12 @@ pub(super) struct Listed {
 }
 
 impl Listed {
-    /// Returns its number and keys, if both are right.
     pub(super) fn checked(&self) -> Option<(u8, KeyRange)> {
         let ((number, _), (keys, _)) = (self.number?, self.keys?);
         Some((number, keys))
     }
 }
 
-/// Reads all boards of a bus.
 pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<Listed> {
     let mut boards = Vec::new();
     for node in read::tables(report, "links.bus.board", node) {
@@ -66,7 +63,6 @@ fn read_keys(report: &mut FindingList, text: &str, place: SourcePlace) -> Option
     }
 }
 
-/// Refuses numbers that two boards of one bus have.
 pub(super) fn refuse_shared_numbers(report: &mut FindingList, boards: &[Listed]) {
     for (n, board) in boards.iter().enumerate() {
         let Some((number, place)) = board.number else { continue };
@@ -79,7 +75,6 @@ pub(super) fn refuse_shared_numbers(report: &mut FindingList, boards: &[Listed])
     }
 }
 
-/// Refuses keys that two boards have, on whatever buses.
 pub(super) fn refuse_shared_keys(report: &mut FindingList, boards: &[Listed]) {
     for (n, board) in boards.iter().enumerate() {
         let Some((keys, place)) = board.keys else { continue };

@@ -16,7 +16,6 @@ const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
 /// Keys that only some kinds of links have.
 const OPTIONS: [&str; 4] = ["mode", "bit_rate", "data_bit_rate", "baud"];
 
-/// Reads every `[[links.bus]]` of a scene.
 pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<BoardBus> {
     let mut buses: Vec<BoardBus> = Vec::new();
     let mut listed = Vec::new();
@@ -39,7 +38,6 @@ pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<BoardBu
     buses
 }
 
-/// Reads a bus without its boards.
 fn read(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<BoardBus> {
     let keys = || LINKS.iter().filter(|it| BoardLinkKind::find(it.key, None) == Some(it));
     let places: Vec<_> = keys().map(|it| reader.text(report, it.key)).collect();

@@ -30,15 +30,12 @@ pub enum LinksConfig {
 /// Boards, and the terms for them.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Boards {
-    /// The packing of samples.
     pub samples: SamplePacking,
-    /// The packing of forces.
     pub forces: ForcePacking,
     /// Time for which forces are valid after the samples that they answer (ms).
     pub valid_ms: u8,
     /// Folder of the calibration files; the user's own if none is given.
     pub calibration: Option<PathBuf>,
-    /// The links to them.
     pub buses: Vec<BoardBus>,
 }
 

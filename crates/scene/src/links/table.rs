@@ -23,7 +23,6 @@ enum LinksKind {
     Boards,
 }
 
-/// The scene's rate, and where it stands.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rate {
     pub(crate) hz: u32,
@@ -56,7 +55,6 @@ pub(crate) fn read(
     }
 }
 
-/// Reads what is agreed with boards, and where they are.
 fn read_boards(
     report: &mut FindingList,
     reader: &mut TableReader<'_>,
@@ -81,7 +79,6 @@ fn read_boards(
     boards
 }
 
-/// Refuses slopes without the velocities that they are multiplied with.
 fn refuse_blind_slopes(report: &mut FindingList, reader: &mut TableReader<'_>, boards: &Boards) {
     let Some(entry) = reader.take("forces") else { return };
     if boards.forces == ForcePacking::Force16Slope && !boards.samples.has_velocity() {
@@ -91,7 +88,6 @@ fn refuse_blind_slopes(report: &mut FindingList, reader: &mut TableReader<'_>, b
     }
 }
 
-/// Refuses boards behind no bus.
 fn refuse_no_bus(report: &mut FindingList, place: SourcePlace, buses: Option<&TomlNode>) {
     let message = "boards need a bus";
     let help = "add [[links.bus]] with serial = \"/dev/ttyACM0\" or can = \"can0\"";
@@ -104,7 +100,6 @@ fn refuse_no_bus(report: &mut FindingList, place: SourcePlace, buses: Option<&To
     }
 }
 
-/// Refuses what would have no meaning for a simulated keybed.
 fn refuse_of_boards(report: &mut FindingList, reader: &mut TableReader<'_>) {
     for name in OF_BOARDS {
         let Some(entry) = reader.take(name) else { continue };
@@ -116,7 +111,6 @@ fn refuse_of_boards(report: &mut FindingList, reader: &mut TableReader<'_>) {
     }
 }
 
-/// Refuses a rate that boards cannot have.
 fn refuse_rate(report: &mut FindingList, rate: Option<Rate>) {
     let Some(Rate { hz, place }) = rate.filter(|it| period_us(it.hz).is_none()) else { return };
     let message = format!("boards exchange every whole number of 100 us, and {hz} Hz is none");

@@ -42,7 +42,6 @@ fn edit_of(base: &Instrument, seed: usize) -> InstrumentEdit {
     edit
 }
 
-/// Returns the values of all keys with `edit` laid over those of `base`, bit by bit.
 fn expected(base: &Instrument, edits: &[&InstrumentEdit]) -> Vec<Vec<u64>> {
     let of_key = |key: u8| {
         let mut values = base.values(key);

@@ -14,7 +14,6 @@ use documents::Diagnostics;
 use super::source::SourceText;
 use super::*;
 
-/// Scene with the required entries only.
 const MINIMAL: &str = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n";
 
 /// Model with the paper's parameters below middle C, a grand from there on.

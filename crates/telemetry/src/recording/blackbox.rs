@@ -17,7 +17,6 @@ pub struct BlackBox {
     most: usize,
     ring: VecDeque<RawMessage>,
     bytes: usize,
-    /// The last catalogue and voices before the ring.
     before: Latest,
     newest: u64,
 }

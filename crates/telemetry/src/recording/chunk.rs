@@ -16,7 +16,6 @@ pub(super) struct Chunk {
 }
 
 pub(super) enum Inside {
-    /// A channel: its number and the name of its topic.
     Channel(u16, String),
     Message(MessageHeader, Vec<u8>),
 }
@@ -44,7 +43,7 @@ impl Chunk {
         &mut self,
         mut wants: impl FnMut(&MessageHeader) -> bool,
     ) -> Option<McapResult<Inside>> {
-        // The reader itself decompresses as much as is declared, but no more.
+        // The reader decompresses as much as is declared, but no more.
         if let Some(length) = self.too_large {
             return Some(Err(McapError::ChunkTooLarge(length)));
         }

@@ -40,7 +40,6 @@ fn fits(opcode: u8, body: &[u8]) -> bool {
     })
 }
 
-/// Returns the fields of a record up to the last one with a declared length.
 const fn fields(opcode: u8) -> &'static [DeclaredField] {
     match opcode {
         op::HEADER => &[DeclaredField::Text, DeclaredField::Text],

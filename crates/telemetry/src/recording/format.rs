@@ -27,7 +27,6 @@ pub(super) const LARGEST_RATIO: u64 = 1024;
 /// Labels of a file: its run, part and format.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Labels {
-    /// Name of the run: see `Catalogue.run`.
     pub(super) run: String,
     pub(super) part: u32,
     pub(super) format: String,
@@ -65,7 +64,6 @@ impl Labels {
     }
 }
 
-/// First channel numbers of keys' blocks and states, 100 for each.
 const BLOCKS: u16 = 100;
 const STATES: u16 = 200;
 
@@ -97,7 +95,6 @@ pub(super) const fn schema(topic: Topic) -> u16 {
     }
 }
 
-/// Returns the topics by their numbers in Letoff's files; other tools may renumber them.
 pub(super) fn topics() -> BTreeMap<u16, Topic> {
     Topic::all().map(|topic| (channel(topic), topic)).collect()
 }

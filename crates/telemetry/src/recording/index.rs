@@ -53,11 +53,9 @@ impl ChunkPosition {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Index {
     pub(super) positions: Vec<ChunkPosition>,
-    /// Topics by the numbers of their channels.
     pub(super) topics: BTreeMap<u16, Topic>,
     /// `true` if the file itself names a topic of Letoff's.
     pub(super) names_ours: bool,
-    /// The last labels behind the file's beginning.
     pub(super) labels: Vec<Labels>,
     /// Damage of the file from which this one was recovered, if that broke off.
     pub(super) breaks_off: Option<String>,
@@ -110,7 +108,6 @@ impl Index {
         });
     }
 
-    /// Adds the metadata `record` at `offset`: labels, or a note of missing data.
     fn tell(&mut self, offset: u64, record: &[u8]) {
         let Some(metadata) = metadata_in(record) else { return };
         self.labels.extend(Labels::of(&metadata));
@@ -159,7 +156,6 @@ fn metadata_in(record: &[u8]) -> Option<Metadata> {
     }
 }
 
-/// Returns the end of the data, where the summary begins.
 fn summary_start(file: &FileBytes) -> io::Result<Option<u64>> {
     let Some(footer) = file.size.checked_sub(FOOTER) else { return Ok(None) };
     let tail = file.read(footer, FOOTER)?;
@@ -267,7 +263,6 @@ fn damaged(offset: u64, length: u64, cause: &str) -> ChunkPosition {
     ChunkPosition { offset, length, first: 0, last: u64::MAX, topics: None, defect }
 }
 
-/// Sets the times of damaged pieces to the time between their neighbours.
 fn date_damaged(positions: &mut [ChunkPosition]) {
     let known =
         |position: &&ChunkPosition| position.defect.as_ref().is_none_or(|it| it.is_left_out);
@@ -304,7 +299,6 @@ fn next_chunk(file: &FileBytes, from: u64) -> io::Result<Option<u64>> {
     Ok(None)
 }
 
-/// Returns opcode and whole length of the record at `offset`; `None` if it is cut off.
 fn record_at(file: &FileBytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
     let left = file.size.saturating_sub(offset);
     if left < RECORD {

@@ -37,8 +37,7 @@ impl Latest {
         self.bytes -= old.map_or(0, |old| old.bytes.len());
     }
 
-    /// Returns them as repeated at `at` (ns since 1970), or right after the newest was made: a
-    /// repeated message is later than its publish time.
+    /// Returns them as repeated at `at` (ns since 1970), or right after the newest was made.
     pub(super) fn repeated(&self, at: u64) -> impl Iterator<Item = RawMessage> {
         let at = at.max(self.newest.saturating_add(1));
         self.catalogue

@@ -18,11 +18,10 @@ const MAX_MARKS: u64 = 50_000;
 /// Longest text of a change (characters); other texts are shorter.
 const MAX_TEXT: usize = 240;
 
-/// Returns moments worth finding again, in the order of the recording: strikes, changes of values
-/// and settings, faults and recoveries, boards, loads and late ticks.
+/// Returns moments worth finding again, in order: strikes, changes of values and settings, faults
+/// and recoveries, boards, loads and late ticks (one mark per second).
 ///
-/// Late ticks within a second are one mark with their number. The last mark counts the moments
-/// beyond 50,000 of a kind, if any. Reads every chunk that has events; skips unreadable ones.
+/// The last mark counts the moments beyond 50,000 of a kind, if any. Skips unreadable chunks.
 pub fn marks(recording: &Recording) -> Marks<'_> {
     let events = recording.read(0, u64::MAX, &BTreeSet::from([Topic::Events]));
     Marks { events, queue: VecDeque::new(), late: None, counts: [0; 3], end: 0 }
@@ -31,7 +30,6 @@ pub fn marks(recording: &Recording) -> Marks<'_> {
 /// Iterator of [`marks`].
 pub struct Marks<'a> {
     events: Messages<'a>,
-    /// Marks that wait for the late ticks of the first one.
     queue: VecDeque<Mark>,
     /// Index of the mark of late ticks in the queue that further ones join, and their number.
     late: Option<(usize, u64)>,
@@ -75,13 +73,11 @@ impl Marks<'_> {
         }
     }
 
-    /// Counts a late tick to the open mark of late ticks; returns `false` if there is none.
     fn joins(&mut self, at: u64) -> bool {
         self.close(at);
         self.late.as_mut().map(|(_, count)| *count += 1).is_some()
     }
 
-    /// Completes the open mark of late ticks, if it began a second before `at`.
     fn close(&mut self, at: u64) {
         let Some((index, count)) = self.late else { return };
         let Some(mark) = self.queue.get_mut(index) else { return };

@@ -9,7 +9,6 @@ use mcap::records::Metadata;
 use super::format;
 use crate::Topic;
 
-/// Name of the metadata that describe a piece.
 pub(super) const NAME: &str = "letoff.missing";
 
 /// Damage of a file at a missing piece.
@@ -100,7 +99,6 @@ impl fmt::Display for MissingPiece {
 /// Note about a missing piece, which a recovered file contains in its place.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct MissingNote {
-    /// Damage, with the file as the subject.
     pub(super) wrong: String,
     /// Times of the first and last message (ns since 1970); `None` if the file breaks off.
     pub(super) span: Option<(u64, u64)>,

@@ -35,7 +35,6 @@ impl PartFile {
         Self::of(path, bytes.map_err(|cause| OpenError::Io { path: path.to_owned(), cause })?)
     }
 
-    /// Reads labels and index of the file `path`, which has `bytes`.
     pub(super) fn of(path: &Path, bytes: FileBytes) -> Result<Self, OpenError> {
         let io = |cause| OpenError::Io { path: path.to_owned(), cause };
         let head = FileStart::of(&bytes.read(0, bytes.size.min(HEAD)).map_err(io)?);
@@ -82,7 +81,6 @@ impl PartFile {
         Ok(best.map_or_else(|| self.labels_by_catalogue(), |it| (*it).clone()))
     }
 
-    /// Returns labels for a file without any: the run as its catalogue names it.
     fn labels_by_catalogue(&self) -> Labels {
         let mut labels = self.labels.clone();
         let has_catalogue = |it: &&ChunkPosition| it.may_have(|it| it == Topic::Catalogue);
@@ -146,7 +144,6 @@ impl PartFile {
         }
     }
 
-    /// Returns the defect if this file breaks off, or the file from which it was recovered did.
     pub(super) fn breaks_off(&self) -> Option<Defect> {
         let scan = self.index.without_summary.filter(|scan| !scan.has_end);
         let at = scan.map(|scan| {
@@ -199,7 +196,6 @@ impl fmt::Debug for PartFile {
 }
 
 enum FileStart {
-    /// A recording, its labels, and their end (B).
     Ours(Labels, u64),
     Foreign,
     /// The file is cut off before its labels.

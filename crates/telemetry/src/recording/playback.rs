@@ -38,9 +38,7 @@ pub struct Playback {
     followed: BTreeSet<Topic>,
     /// Followed topics with missing messages before the next one.
     torn: BTreeSet<Topic>,
-    /// Arrivals that come before all others.
     arrivals: VecDeque<Arrival>,
-    /// Last seconds of newly followed topics.
     past: VecDeque<PlaybackStream>,
     main: PlaybackStream,
     marks: Vec<Mark>,

@@ -204,7 +204,6 @@ impl Recording {
         self.parts.push(part);
     }
 
-    /// Records that the recording does not continue in `next`, for the reason `why`.
     fn note_loss(&mut self, next: PathBuf, why: &str) {
         let (what, advice) = (why.to_owned(), "; what was recorded before it is there".to_owned());
         self.tear.get_or_insert(Tear { path: next, at: 0, what, advice });

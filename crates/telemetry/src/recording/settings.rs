@@ -5,7 +5,6 @@ use std::{path::PathBuf, time::Duration};
 pub struct RecordingSettings {
     /// The first file; the others are called `<name>-0002.mcap` and so on beside it.
     pub path: PathBuf,
-    /// Name of the run: see `Catalogue.run`.
     pub run: String,
     pub limits: RecordingLimits,
     /// Longest time for which a message waits in memory; at most a second.
@@ -30,7 +29,7 @@ impl RecordingLimits {
     /// Least limit of a file's size (B): in a smaller one schemas would be most of it.
     pub const LEAST_FILE: u64 = 1 << 20;
 
-    /// Returns the effective limit of a file (B): there is room for two.
+    /// Returns the effective limit of a file (B), such that there is room for two.
     pub(super) fn file_limit(&self) -> u64 {
         self.largest_file.min(self.largest_total / 2).max(Self::LEAST_FILE)
     }

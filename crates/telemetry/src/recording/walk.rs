@@ -11,7 +11,6 @@ pub(super) struct Walk {
     part: usize,
     position: usize,
     open: Option<Chunk>,
-    /// Number of messages passed in the open chunk.
     passed: usize,
     /// Part, chunk and message of its end; `None` for the recording's end.
     stop: Option<(usize, usize, usize)>,

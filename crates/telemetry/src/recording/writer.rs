@@ -42,9 +42,7 @@ const SHARE: u64 = 8;
 /// Files and counts of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct RecordingStatus {
-    /// Its files, the oldest first.
     pub files: Vec<PathBuf>,
-    /// Total size of its files (B).
     pub bytes: u64,
     /// Recorded messages, including those in removed files.
     pub messages: u64,
@@ -148,7 +146,6 @@ impl Recorder {
         Ok(())
     }
 
-    /// Returns `true` if files are large enough to repeat catalogue and voices.
     fn repeats(&self) -> bool {
         let bytes = self.repeated_bytes();
         0 < self.latest.bytes() && bytes.saturating_mul(SHARE) <= self.settings.limits.file_limit()
@@ -227,7 +224,7 @@ impl Recorder {
         Ok(())
     }
 
-    /// Closes the file if `result` is an error: it is not written any further.
+    /// Closes the file if `result` is an error.
     fn or_end(&mut self, result: Result<(), RecordError>) -> Result<(), RecordError> {
         if result.is_err() {
             self.part = None;

@@ -17,7 +17,6 @@ pub(crate) enum Worth {
 #[derive(Debug)]
 pub(crate) struct Backlog<T> {
     waiting: VecDeque<Waiting<T>>,
-    /// Bytes of those that may be dropped.
     bytes: usize,
     most: usize,
     dropped: u64,
@@ -67,7 +66,6 @@ impl<T> Backlog<T> {
         std::mem::replace(&mut self.dropped, 0)
     }
 
-    /// Marks the entries that a newer one replaces as droppable.
     fn outdate(&mut self, worth: Worth) {
         for entry in self.waiting.iter_mut().filter(|entry| entry.worth == worth) {
             entry.worth = Worth::Passing;

@@ -1,8 +1,7 @@
 //! The stream: a server for a host, and a client for a window, on a public protocol.
 //!
-//! Both use the [Foxglove WebSocket protocol](https://github.com/foxglove/ws-protocol), so that
-//! Foxglove, Lichtblick and PlotJuggler can watch a host like our own window. They share messages
-//! with their schemas, parameters, and services.
+//! Both use the [Foxglove WebSocket protocol](https://github.com/foxglove/ws-protocol), so
+//! Foxglove, Lichtblick and PlotJuggler can watch a host like our own window.
 //!
 //! | part | contents |
 //! |---|---|

@@ -28,7 +28,6 @@ impl RoundRange {
     }
 }
 
-/// Results of benches on a machine.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct BenchBaseline {
     pub(super) machine: String,
@@ -38,9 +37,7 @@ pub(super) struct BenchBaseline {
 /// Slowdown of a bench, with its noise.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct BenchChange {
-    /// Median of all rounds over that of the baseline.
     factor: f64,
-    /// Noise of the baseline times the present noise.
     noise: f64,
 }
 

@@ -1,8 +1,7 @@
 //! Latency benches, compared with a baseline.
 //!
-//! A time is meaningless without its machine, so each is stored as a multiple of a loop of
-//! arithmetic that the same process has just measured (`calibration` in `benches/setting`).
-//! Programs alternate over several rounds, so that a disturbance hits all of them a little. The
+//! Each time is stored as a multiple of a loop of arithmetic that the same process has just
+//! measured (`calibration` in `benches/setting`). Programs alternate over several rounds. The
 //! fastest sample of each round counts; the spread of the middle half of the rounds is the noise.
 
 mod baseline;
@@ -28,7 +27,6 @@ const CALIBRATION: &str = "calibration";
 
 const BASELINE: &str = "benches/baseline.toml";
 
-/// Use of the measurements.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum BaselineUse {
     Compare,
@@ -69,7 +67,6 @@ fn ranges() -> Result<BTreeMap<String, RoundRange>, Error> {
     Ok(rounds.into_iter().map(|(name, rounds)| (name, RoundRange::of(rounds))).collect())
 }
 
-/// Runs `program` once, and returns its benches as multiples of the calibration.
 fn round_of(program: &str, home: &Path) -> Result<Vec<(String, f64)>, Error> {
     if home.exists() {
         fs::remove_dir_all(home).map_err(|cause| Error::file(home, cause))?;

@@ -8,7 +8,6 @@ use crate::{command, error::Error, files};
 const MAINTAINER: &str = "The Letoff authors <letoff@users.noreply.github.com>";
 
 /// Libraries that the window loads by name at run time, so no tool finds them in the program.
-/// Machines on a stage have no display, and do not need them.
 const FOR_THE_WINDOW: &str = "libegl1, libgl1, libwayland-client0, libwayland-egl1, libx11-6, \
                               libx11-xcb1, libxcursor1, libxi6, libxkbcommon0, libxkbcommon-x11-0";
 
@@ -17,7 +16,6 @@ const STUB: &str = "Source: letoff\n\nPackage: letoff\nArchitecture: any\n";
 
 pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Facts that differ between packages.
 pub(super) struct PackageFacts {
     /// Debian's name of the processor, as `amd64`.
     pub architecture: String,
@@ -70,8 +68,7 @@ pub(super) fn architecture() -> Result<String, Error> {
     command::answer(Command::new("dpkg").arg("--print-architecture"))
 }
 
-/// Returns the packages that `programs` are linked with, with their versions. `dpkg-shlibdeps`
-/// needs a source package: `folder` gets a stub.
+/// Returns the packages that `programs` are linked with; `folder` gets a stub for `dpkg-shlibdeps`.
 pub(super) fn linked_packages(folder: &Path, programs: &[PathBuf]) -> Result<String, Error> {
     files::empty(&folder.join("debian"))?;
     files::write(&folder.join("debian/control"), STUB)?;
@@ -82,7 +79,6 @@ pub(super) fn linked_packages(folder: &Path, programs: &[PathBuf]) -> Result<Str
     })
 }
 
-/// Parses the output of `dpkg-shlibdeps -O`.
 fn depends(said: &str) -> Option<&str> {
     said.lines().find_map(|line| line.strip_prefix("shlibs:Depends=")).filter(|it| !it.is_empty())
 }

@@ -7,10 +7,8 @@ use super::deny;
 use crate::command::{self, cargo};
 use crate::{error::Error, files};
 
-/// Prefixes of file names with such texts, in lower case.
 const NAMES: [&str; 6] = ["license", "licence", "copying", "copyright", "notice", "unlicense"];
 
-/// Folders of a crate that may have such files.
 const FOLDERS: [&str; 4] = ["", "license", "licenses", "fonts"];
 
 const HEAD: &str = "\
@@ -111,7 +109,6 @@ fn is_accepted(expression: &str, accepted: &[String]) -> bool {
     plain.split(" AND ").all(|part| part.split(" OR ").any(is_known))
 }
 
-/// Returns the folders of all crates by name, from the output of `cargo metadata`.
 fn folders(metadata: &str) -> BTreeMap<String, PathBuf> {
     let manifests = metadata.split("\"manifest_path\":\"").skip(1);
     let paths = manifests.filter_map(|rest| Path::new(rest.split('"').next()?).parent());

@@ -1,5 +1,4 @@
-//! The Debian package: the programs, the service with its user and rules, man pages,
-//! completions, and the licences of what is linked.
+//! The Debian package: programs, service, man pages, completions, and licences of what is linked.
 
 mod control;
 mod deny;
@@ -17,7 +16,6 @@ use control::PackageFacts;
 /// Profile of packages: optimised across crates.
 pub(crate) const PROFILE: &str = "dist";
 
-/// Tools that build a package.
 const MAKERS: [Tool; 6] = [
     ("dpkg-deb", "dpkg"),
     ("dpkg-shlibdeps", "dpkg-dev"),

@@ -39,7 +39,6 @@ const DOCUMENTS: [&str; 20] = [
 
 const EXAMPLES: [&str; 3] = ["instruments", "models", "scenes"];
 
-/// Folders with C sources for makers of boards.
 const C_SOURCES: [&str; 3] =
     ["firmware-protocol/c", "firmware-protocol/c/firmware", "firmware-protocol/c/rig"];
 
@@ -87,7 +86,6 @@ pub(super) fn make(root: &Path, built: &Path) -> Result<(), Error> {
     command::answer(Command::new("sh").args(["-e", "-c", FINISH]).current_dir(root)).map(drop)
 }
 
-/// Copies the wanted files of the folder `from`, without its subfolders.
 fn copy_files(from: &Path, to: &Path, is_wanted: fn(&Path) -> bool) -> Result<(), Error> {
     for path in files::list(from)?.iter().filter(|it| is_wanted(it)) {
         copy(path, &to.join(path.file_name().unwrap_or_default()))?;
@@ -101,7 +99,6 @@ fn is_c_source(path: &Path) -> bool {
     matches!(end, Some("c" | "h" | "ld" | "md"))
 }
 
-/// Adds the programs, without symbols, with their own manual.
 fn add_programs(root: &Path, built: &Path) -> Result<(), Error> {
     for name in PROGRAMS {
         let program = root.join("usr/bin").join(name);

@@ -30,7 +30,6 @@ const PLAY_LIST: &str = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-spri
 const TOKENS: &str = "# who may do what\nviewer 0123456789abcdef0123\ntuner 0123456789abcdef4567\n\n\
     owner 0123456789abcdef89ab\n";
 
-/// Calibration by `letoff calibrate` of a simulated board with the keys A0 to B0.
 const CALIBRATION: &str = r#"
 board = "53494d000000"
 made = "2026-11-27 12:37 UTC"
@@ -132,7 +131,6 @@ pub(super) const KINDS: [FuzzKind; 10] = [
 
 pub(super) struct PreparedKind {
     pub(super) good: Vec<Vec<u8>>,
-    /// The only path at which the program reads such files, if there is one.
     pub(super) place: Option<PathBuf>,
     board: Option<Child>,
 }

@@ -12,7 +12,6 @@ const DEEPEST: usize = 5000;
 /// Distance from an end of a file that counts as near (bytes).
 const NEAR: usize = 1000;
 
-/// Generator `SplitMix64`.
 pub(super) struct FuzzRandom(pub(super) u64);
 
 impl FuzzRandom {

@@ -50,7 +50,6 @@ pub(super) fn make(
     Ok(initrd)
 }
 
-/// Copies the programs and their libraries to the same paths.
 fn install(programs: &[PathBuf], root: &Path) -> Result<(), Error> {
     let mut needed = BTreeSet::new();
     for program in programs {
@@ -79,7 +78,6 @@ fn libraries(ldd: &str) -> Vec<PathBuf> {
     ldd.split_whitespace().filter(|word| word.starts_with('/')).map(PathBuf::from).collect()
 }
 
-/// Copies the modules, unpacked, and writes their load order.
 fn add_modules(modules: &[&str], kernel: &Kernel, to: &Path) -> Result<(), Error> {
     let dependencies = files::read(&kernel.modules.join("modules.dep"))?;
     let mut order = String::new();
@@ -116,7 +114,6 @@ struct Load<'a> {
     parameters: &'a str,
 }
 
-/// Returns all wanted `modules`, each after its dependencies.
 fn load_order<'a>(modules: &[&'a str], modules_dep: &'a str) -> Result<Vec<Load<'a>>, Error> {
     let mut order: Vec<Load<'a>> = Vec::new();
     for wanted in modules {

@@ -8,12 +8,10 @@ use crate::{apt, command, error::Error, files, tools};
 /// Packages that depend on the newest kernel: Debian's, Ubuntu's.
 const NEWEST: [&str; 2] = ["linux-image-amd64", "linux-image-generic"];
 
-/// Prefixes of a kernel's packages.
 const PARTS: [&str; 3] = ["linux-image-", "linux-modules-", "linux-binary-"];
 
 pub(super) struct Kernel {
     pub image: PathBuf,
-    /// Folder of its modules, with `modules.dep`.
     pub modules: PathBuf,
 }
 
@@ -60,7 +58,6 @@ fn dependencies(package: &str) -> Vec<String> {
     output.map_or_else(|_no_apt| Vec::new(), |it| parts(&String::from_utf8_lossy(&it.stdout)))
 }
 
-/// Parses kernel packages in the output of `apt-cache depends`.
 fn parts(depends: &str) -> Vec<String> {
     let names = depends.lines().filter_map(|line| line.trim().strip_prefix("Depends: "));
     let is_part = |name: &&str| PARTS.iter().any(|part| name.starts_with(part));

@@ -12,8 +12,7 @@ use crate::{command, error::Error};
 /// Maximum silence of all guests, at any total time.
 const SILENCE_LIMIT: Duration = Duration::from_mins(3);
 
-/// QEMU with emulation, as build servers have no virtualisation. A q35, as the faster microvm only
-/// has timers of 4 ms, and a tick needs better ones.
+/// Emulation, as build servers have no virtualisation. A microvm's timers of 4 ms are too coarse.
 const QEMU: &str = "-accel tcg -machine q35 -smp 1 -m 1024 -nodefaults \
                     -display none -monitor none -serial stdio -no-reboot";
 
@@ -26,7 +25,6 @@ pub(super) struct VirtualMachine<'a> {
     pub part: &'static str,
 }
 
-/// A line of a console, with its guest.
 pub(super) struct ConsoleLine {
     part: &'static str,
     text: String,

@@ -2,8 +2,7 @@
 //! drivers, or as a service.
 //!
 //! Containers and build servers have no sequencer or CAN bus, and cannot load a kernel's modules. A
-//! guest can: its only program `init.sh` loads the modules and runs the checks of a [`GuestCheck`].
-//! The machine is unchanged but for a few packages.
+//! guest can: its only program `init.sh` loads them and runs the checks of a [`GuestCheck`].
 
 mod image;
 mod kernel;
@@ -28,14 +27,12 @@ pub(crate) const SCENE: &str = include_str!("scene.toml");
 
 /// A set of checks in a guest.
 pub(crate) struct GuestCheck {
-    /// Name of its build folder.
     pub name: &'static str,
     /// Devices that it plays on, in a few words.
     pub plays_on: &'static str,
     pub system: GuestSystem,
     /// Modules with their parameters; their dependencies are loaded first.
     pub modules: &'static [&'static str],
-    /// Programs of this machine for the guest, beside busybox.
     pub programs: &'static [Tool],
     /// Files of this machine, at the same path in the guest.
     pub copies: &'static [&'static str],
@@ -45,7 +42,6 @@ pub(crate) struct GuestCheck {
     /// Parts of the checks, each in its own emulated machine; `$part` in the guest.
     pub parts: &'static [&'static str],
     pub time_limit: Duration,
-    /// The build of `letoff` under test.
     pub program: TriedProgram,
 }
 
@@ -94,7 +90,6 @@ impl GuestCheck {
         heard.into_result().map(|()| Done::All)
     }
 
-    /// Boots a machine for each part, and returns all results.
     fn boot(&self, kernel: &Path, initrd: &Path) -> Result<HeardNotes, Error> {
         let (console, lines) = mpsc::channel();
         let machine = |&part| VirtualMachine { kernel, initrd, system: self.system, part };

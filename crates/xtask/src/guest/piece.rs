@@ -3,10 +3,8 @@
 /// Ticks per quarter note: at the default 120 quarters a minute, 1 ms each.
 const TICKS_PER_QUARTER: u16 = 500;
 
-/// Chord that is held throughout.
 const CHORD: [u8; 3] = [60, 64, 67];
 
-/// Note that is repeated above the chord.
 const REPEATED: u8 = 72;
 
 /// Start of the chord (ms), after time to connect a listener.

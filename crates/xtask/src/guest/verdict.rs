@@ -7,7 +7,6 @@ use crate::error::Error;
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct HeardNotes {
     n_passed: usize,
-    /// Failed checks, in the guest's words.
     failed: Vec<String>,
     /// Guests that have not reported their end.
     n_unfinished: usize,

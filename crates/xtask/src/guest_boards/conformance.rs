@@ -16,7 +16,6 @@ pub(super) fn program() -> Option<PathBuf> {
     executable(&messages).map(PathBuf::from)
 }
 
-/// Parses the path of the program from cargo's messages, one per line.
 fn executable(messages: &str) -> Option<&str> {
     const BEFORE: &str = "\"executable\":\"";
     let its = |line: &&str| line.contains("\"name\":\"conformance\"") && line.contains(BEFORE);

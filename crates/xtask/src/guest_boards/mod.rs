@@ -1,6 +1,5 @@
 //! Plays and breaks boards over real drivers in a guest: CAN FD through `vcan`, USB through gadgets
-//! on `dummy_hcd`. The scripts contain the expectations. Guest time is executed instructions: a
-//! busy machine makes the guest slow but not late, so its counts hold anywhere.
+//! on `dummy_hcd`. Guest time is executed instructions, so its counts hold anywhere.
 
 mod conformance;
 

@@ -23,7 +23,6 @@ pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, state: &AppState) {
     button.on_hover_text("Further keys in the same plots.");
 }
 
-/// Draws a field for keys by name: Enter adds them.
 fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
     let is_entered = ui
         .horizontal(|ui| {
@@ -43,7 +42,6 @@ fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
     }
 }
 
-/// Parses the keys of `text`; `None` if any is unknown.
 fn keys(text: &str) -> Option<Vec<u8>> {
     let words = text.split([',', ' ']).filter(|word| !word.is_empty());
     let ranges: Option<Vec<_>> = words.map(names::range).collect();

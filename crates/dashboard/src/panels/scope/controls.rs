@@ -49,7 +49,6 @@ pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, state: &mut AppState, 
     });
 }
 
-/// Draws the button that shows all values again, if there was a zoom.
 fn fit_ui(ui: &mut Ui, scope: &mut Scope) {
     let is_wanted = scope.heights.is_chosen();
     let text = "All plots show all values again.";
@@ -101,7 +100,6 @@ fn meaning(store: &Store, key: u8, i: usize) -> String {
     }
 }
 
-/// Draws the channel's box in a plot; returns `true` if it was toggled.
 fn channel_ui(ui: &mut Ui, lane: usize, name: &str, shown: &[Vec<String>]) -> bool {
     let mut is_shown = shown.get(lane).is_some_and(|it| it.iter().any(|it| it == name));
     let check = ui.checkbox(&mut is_shown, "");

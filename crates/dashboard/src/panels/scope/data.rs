@@ -59,9 +59,8 @@ impl PlotTrace {
     }
 }
 
-/// Returns the smallest range of values that fills a plot, so that noise of a key at rest stays
-/// small: 0.5 N moves a key down, 0.1 mm is 1 % of its dip, and 1 mrad is its turn by 0.1 mm. A
-/// stroke that sounds has 0.1 m/s, so a tenth of that is slow.
+/// Returns the smallest range that fills a plot, so that noise at rest stays small: 0.5 N moves a
+/// key down, 0.1 mm is 1 % of its dip, 1 mrad its turn by that; a soft stroke has 0.1 m/s.
 fn least_span(unit: &str) -> f64 {
     match unit {
         "N" => 0.5,

@@ -206,7 +206,6 @@ fn lines(ui: &Ui, traces: Vec<PlotTrace>) -> Vec<Line<'static>> {
     lines
 }
 
-/// Draws names of the modes above the first plot, if there is room.
 fn names_ui(ui: &Ui, store: &Store, key: u8, shades: &[Shade], frame: Option<&PlotTransform>) {
     let Some(frame) = frame else { return };
     let strip = Rect::from_x_y_ranges(

@@ -1,5 +1,4 @@
-//! A scope: plots over time, one above the other, with epochs shaded by mode and mode switches as
-//! vertical lines, as in the paper's figure 6.
+//! A scope: plots over time, with epochs shaded by mode and switches as lines, as in figure 6.
 
 mod axis;
 mod compare;

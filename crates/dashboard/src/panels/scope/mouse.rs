@@ -62,12 +62,10 @@ pub(super) fn factor(turned: f64) -> f64 {
     (-turned / WHEEL).exp()
 }
 
-/// Returns the smallest and the largest value that a plot shows.
 pub(super) fn values(frame: &PlotTransform) -> (f64, f64) {
     (frame.bounds().min()[1], frame.bounds().max()[1])
 }
 
-/// Selects a stretch with the right button; its release shows the stretch alone.
 fn select(
     ui: &Ui,
     scope: &mut Scope,

@@ -26,15 +26,12 @@ const MANY: usize = 20;
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// Reaction of the other keys of the range.
     link: LinkedKeys,
     /// Number of keys beside the range over which a change fades.
     fade: u8,
     name: String,
-    /// Name for the instrument to save, if it was typed.
     #[serde(skip)]
     instrument: Option<String>,
-    /// Part of the names of the shown parameters.
     #[serde(skip)]
     find: String,
     file: String,
@@ -75,7 +72,6 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws the tuned keys, the link to the others, and steps back and forth.
     fn head_ui(&mut self, ui: &mut Ui, state: &mut AppState, key: u8) {
         ui.horizontal_wrapped(|ui| {
             ui.strong(state.title(key));

@@ -132,17 +132,14 @@ fn slider_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) -> Option<f64> {
     moved.filter(|it| it.to_bits() != row.value.to_bits())
 }
 
-/// Text in a number field that is not sent: still being typed, or refused.
 #[derive(Clone, Debug, Default)]
 struct TypedText {
     text: Option<String>,
     refusal: Option<String>,
-    /// `true` from the focus until the text is selected as a whole.
     is_new: bool,
 }
 
-/// Draws the value as a number to type; returns it if it was changed. A refused text stays, with
-/// the reason.
+/// Draws the value as a number to type; returns a change. A refused text stays, with the reason.
 fn number_ui(ui: &mut Ui, key: u8, row: &ParameterRow<'_>) -> Option<f64> {
     let reading = unit::of(row.parameter);
     let id = ui.make_persistent_id((&row.parameter.name, key));
@@ -229,7 +226,6 @@ fn wheel_steps(ui: &Ui) -> f64 {
     })
 }
 
-/// Draws the button that resets the value; returns the instrument's value if clicked.
 fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let can_go_back = row.is_changed && !row.is_locked;
     let reset = ui.add_enabled(can_go_back, Button::new("Reset").small());

@@ -32,7 +32,6 @@ pub(super) fn steps_ui(ui: &mut Ui, state: &mut AppState) {
     button.on_hover_text("What was changed; a click goes back to it, or forward.");
 }
 
-/// Draws all steps, the newest above; undone ones are faint.
 fn list_ui(ui: &mut Ui, state: &mut AppState) {
     let tuner = &state.tuner;
     let history = tuner.history();
@@ -59,7 +58,6 @@ fn list_ui(ui: &mut Ui, state: &mut AppState) {
     }
 }
 
-/// Describes the keys and values that a step changed.
 fn line(step: &UndoStep, tuner: &Tuner) -> String {
     let UndoStep { text, before, after, .. } = step;
     let slots = after.slots.keys();
@@ -79,7 +77,6 @@ fn line(step: &UndoStep, tuner: &Tuner) -> String {
     format!("{text}: from {} to {}", span(before, tuner, reading), span(after, tuner, reading))
 }
 
-/// Formats the values of the lowest and the highest key, or the only one.
 fn span(patch: &EditPatch, tuner: &Tuner, reading: ParameterReading<'_>) -> String {
     let value = |(slot, difference): (&ParameterSlot, &Option<Difference>)| {
         let base = tuner.base(slot.key, &slot.parameter)?;

@@ -3,8 +3,7 @@ use crate::digits::trimmed;
 /// Fraction of a range below which a remainder of zero is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Returns multiples of 1, 2 or 5 times a power of ten from `low` to `high`, at most about
-/// `wanted`, each with its number.
+/// Returns multiples of 1, 2 or 5 times a power of ten between both, about `wanted`, with numbers.
 pub(super) fn ticks((low, high): (f64, f64), wanted: f64) -> Vec<(f64, Option<String>)> {
     let size = high - low;
     // The length of the widest range overflows, its half does not.

@@ -40,7 +40,6 @@ pub(super) fn ticks((low, high): (f64, f64), wanted: f64) -> Vec<(f64, Option<St
     numbers.filter_map(tick).collect()
 }
 
-/// Formats a digit times a power of ten, as people write it.
 fn number(digit: f64, power: f64) -> String {
     if (0.0..=3.0).contains(&power) {
         let value = digit * 10_f64.powf(power);

@@ -29,7 +29,6 @@ pub(super) fn read_stroke(
     for message in recording.read(0, u64::MAX, &BTreeSet::from([Topic::Block(key.number())])) {
         let message = message.map_err(|error| format!("{error}; `letoff recover` may help"))?;
         let (_, Update::Block(block)) = message else { continue };
-        // Signals are not read, so their number is irrelevant.
         for row in rows(&block, |_revision| 0) {
             enter(&mut stroke, &mut last, &row)?;
         }
@@ -40,7 +39,6 @@ pub(super) fn read_stroke(
     Ok(stroke)
 }
 
-/// Enters a row, and the ticks without a row before it, in which the key was at rest.
 fn enter(stroke: &mut RecordedStroke, last: &mut Option<u64>, row: &Row<'_>) -> Result<(), String> {
     if !(row.position.is_finite() && row.sent.is_finite()) {
         return Ok(());

@@ -50,7 +50,6 @@ fn played(
     vec![stroke(0.4), stroke(0.6)]
 }
 
-/// Adds noise of a force cell (N) and of a ruler (m).
 fn measured(
     strokes: &[MeasuredStroke],
     seed: u64,

@@ -166,7 +166,6 @@ fn a_held_and_late_spring_is_not_passive_and_has_its_closed_form() {
     }
 }
 
-/// Simulates a hand: random steps of jerk, smoothed twice.
 fn shaky_positions(count: usize) -> Vec<f64> {
     let (mut seed, mut smooth) = (12_345_u64, [0.0; 2]);
     let mut next = || {
@@ -181,7 +180,6 @@ fn shaky_positions(count: usize) -> Vec<f64> {
     (0..count).map(|_| position()).collect()
 }
 
-/// Returns forces of a wall for positions that are read once a `period` (s).
 fn wall_forces(positions: &[f64], (k, b): (f64, f64), period: f64) -> Vec<f64> {
     let rate = |at: usize| at.checked_sub(1).map_or(0.0, |it| positions[at] - positions[it]);
     (0..positions.len()).map(|at| k * positions[at] + b * rate(at) / period).collect()

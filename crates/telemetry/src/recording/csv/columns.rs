@@ -8,10 +8,8 @@ pub(super) const EVENTS: [&str; 10] =
 const COLUMNS: [&str; 8] =
     ["t [s]", "tick", "position [m]", "force [N]", "sent [N]", "mode", "flags", "fault"];
 
-/// Meaning of each bit of `KeyBlock.flags`.
 const FLAGS: [&str; 8] = ["asleep", "late", "fresh", "gap before", "waited", "32", "64", "128"];
 
-/// Meaning of each value of `KeyBlock.fault`.
 const FAULTS: [&str; 8] =
     ["", "not finite", "bad sample", "capped", "diverged", "panicked", "makes energy", "muted"];
 

@@ -17,7 +17,6 @@ use crate::{Catalogue, Event, KEYS, KeyBlock, Model, Topic, Update, Voice};
 /// Selection of a recording for tables.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Selection {
-    /// Keys, 0 (A0) to 87 (C8).
     pub keys: BTreeSet<u8>,
     /// Messages from this time on (ns since 1970).
     pub from: u64,

@@ -13,7 +13,6 @@ const ROOM: usize = 32 << 20;
 pub(super) struct Arrivals {
     waiting: Mutex<Backlog<Arrival>>,
     state: Mutex<ConnectionState>,
-    /// Rights in the present connection.
     role: Mutex<Option<Role>>,
     waker: Option<Waker>,
 }

@@ -28,7 +28,6 @@ pub(super) struct ReconnectingClient {
     wanted: BTreeSet<Topic>,
 }
 
-/// The window has dropped its [`super::Client`].
 struct WindowClosed;
 
 impl ReconnectingClient {
@@ -102,7 +101,6 @@ impl ReconnectingClient {
     }
 }
 
-/// Returns the present address of the host: the socket's answer, if there is a socket.
 async fn present(dial: Dial) -> Result<Dial, String> {
     match &dial.socket {
         Some(path) => socket::whereabouts(path).await,
@@ -110,7 +108,7 @@ async fn present(dial: Dial) -> Result<Dial, String> {
     }
 }
 
-/// Answers a request without a connection: a stop goes by the control socket, if there is one.
+/// Answers a request without a connection: a stop goes by the control socket, if any.
 async fn unconnected(
     socket: Option<PathBuf>,
     ticket: Ticket,

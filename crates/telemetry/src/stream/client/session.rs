@@ -24,11 +24,9 @@ const PATIENCE: Duration = Duration::from_secs(20);
 
 const GRACE: Duration = Duration::from_secs(1);
 
-/// Reason for the end of a connection.
 #[derive(Debug)]
 pub(super) enum SessionEnd {
     Gone,
-    /// Lost for this reason, a sentence.
     Lost(String),
 }
 
@@ -36,7 +34,6 @@ pub(super) struct ClientSession<'a> {
     socket: WebSocketStream<BoxedStream>,
     arrivals: &'a Arrivals,
     channels: BTreeMap<Topic, u32>,
-    /// Subscribed topics by our own numbers.
     subscriptions: BTreeMap<u32, Topic>,
     /// Subscriptions without a message yet.
     fresh: BTreeSet<u32>,
@@ -44,7 +41,6 @@ pub(super) struct ClientSession<'a> {
     /// `true` until the announced services are named.
     awaits_services: bool,
     waiting: Vec<(Ticket, Request)>,
-    /// Unanswered requests: sets and calls.
     sets: BTreeMap<String, Ticket>,
     calls: BTreeMap<u32, Ticket>,
     count: u32,
@@ -295,7 +291,6 @@ impl<'a> ClientSession<'a> {
         self.note(level, message)
     }
 
-    /// Adds a sentence of the stream itself to the host's log.
     fn note(&self, level: Level, text: String) -> ToSend {
         let level = match level {
             Level::Info => log::Level::Info,
@@ -326,7 +321,6 @@ impl<'a> ClientSession<'a> {
     }
 }
 
-/// Returns the host's reason for closing the connection, as far as given.
 fn close_reason(frame: Option<CloseFrame>) -> String {
     match frame {
         Some(frame) if !frame.reason.is_empty() => {

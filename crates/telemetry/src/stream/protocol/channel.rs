@@ -11,7 +11,6 @@ use crate::Topic;
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Channel {
-    /// Its number on this connection.
     pub id: u32,
     pub topic: String,
     /// Encoding of its messages: `protobuf`.

@@ -1,8 +1,7 @@
 //! The Foxglove WebSocket protocol, as much of it as a host and a window need.
 //!
 //! Texts are JSON objects with an `op`: [`FromServer`] and [`FromClient`]. Binary messages begin
-//! with a byte for their kind: [`ServerFrame`] and [`ClientFrame`]; numbers are little-endian.
-//! Decoders accept any bytes, and reject unknown ones with a sentence.
+//! with a kind byte: [`ServerFrame`] and [`ClientFrame`]. Decoders accept any bytes.
 
 mod binary;
 mod channel;

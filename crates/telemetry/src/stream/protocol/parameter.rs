@@ -9,7 +9,6 @@ use crate::request::Change;
 pub struct ParameterValue {
     /// Its name, as `/key/39/k2`.
     pub name: String,
-    /// Its value; a client may send any JSON.
     #[serde(default)]
     pub value: serde_json::Value,
     /// Type of the value: without it, 1 would read as an integer.
@@ -39,7 +38,6 @@ pub enum ParameterError {
     NoName(String),
 }
 
-/// Returns a foreign name, short enough for a sentence.
 fn shortened(name: &str) -> String {
     const MOST: usize = 80;
     let short: String = name.chars().take(MOST).collect();

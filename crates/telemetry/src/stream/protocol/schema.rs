@@ -25,7 +25,7 @@ fn descriptors(name: &str) -> Vec<u8> {
 fn reduced(mut file: FileDescriptorProto, name: &str) -> FileDescriptorProto {
     let package = format!(".{}.", file.package());
     let mut needed = BTreeSet::from([format!(".{name}")]);
-    // Each round adds the types contained in the last ones; there are not more rounds than types.
+    // Each round adds the types of the last ones, so there are at most as many rounds as types.
     for _ in 0..file.message_type.len() {
         for message in &file.message_type {
             if needed.contains(&format!("{package}{}", message.name())) {

@@ -60,7 +60,7 @@ impl Service {
         }
     }
 
-    /// Returns the service's number on every connection.
+    /// Returns the service's number.
     pub const fn id(self) -> u32 {
         match self {
             Self::UseInstrument => 1,
@@ -249,7 +249,6 @@ fn reply() -> Value {
 /// A service, as it is advertised.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct AdvertisedService {
-    /// Its number on this connection.
     pub id: u32,
     pub name: String,
     #[serde(rename = "type")]

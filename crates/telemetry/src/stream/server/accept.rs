@@ -193,7 +193,6 @@ fn config(state: &ServerState) -> WebSocketConfig {
         .max_frame_size(most)
 }
 
-/// Returns `response` with the protocol that will be spoken.
 fn with_protocol(mut response: Response, protocol: &'static str) -> Response {
     let protocol = HeaderValue::from_static(protocol);
     response.headers_mut().insert(header::SEC_WEBSOCKET_PROTOCOL, protocol);

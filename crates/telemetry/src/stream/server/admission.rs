@@ -55,7 +55,6 @@ impl AdmissionError {
     }
 }
 
-/// Returns the role of a client, and the protocol to use.
 pub(super) fn admit(
     settings: &ServerSettings,
     request: &Request,
@@ -110,7 +109,6 @@ fn bearer(headers: &HeaderMap) -> Option<&str> {
     scheme.eq_ignore_ascii_case("bearer").then_some(token.trim())
 }
 
-/// Returns the token of `?token=<token>`.
 fn queried(query: &str) -> Option<&str> {
     query.split('&').find_map(|pair| pair.strip_prefix("token="))
 }

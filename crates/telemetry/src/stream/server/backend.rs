@@ -47,14 +47,12 @@ pub trait Backend: Send + Sync {
 pub struct ParameterSetting {
     /// Name, as `/key/39/k2`.
     pub name: String,
-    /// Value in the parameter's unit.
     pub value: f64,
 }
 
 /// A client of the stream.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Who {
-    /// Number of the client, counted in a run.
     pub number: u64,
     pub address: SocketAddr,
     pub role: Role,

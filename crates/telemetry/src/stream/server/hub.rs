@@ -12,7 +12,6 @@ use crate::stream::protocol::{FromServer, Level, ParameterValue, Subscription, t
 pub(super) struct Hub {
     handle: Arc<HubHandle>,
     receivers: HubReceivers,
-    /// The last sample of each slot, for every client.
     latest: BTreeMap<u16, StreamSample>,
     members: BTreeMap<ClientNumber, Member>,
 }

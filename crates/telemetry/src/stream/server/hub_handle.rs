@@ -13,7 +13,6 @@ use crate::{Topic, Update};
 /// Most messages that wait for the runtime; further ones are dropped, and counted.
 const QUEUE: usize = 4096;
 
-/// The number of a client, counted in a run.
 pub(super) type ClientNumber = u64;
 
 #[derive(Debug)]
@@ -24,7 +23,6 @@ pub(super) enum HubCommand {
     Unsubscribe(ClientNumber, Vec<u32>),
     Watch(ClientNumber, Vec<String>),
     Unwatch(ClientNumber, Vec<String>),
-    /// These are the new values of parameters.
     Changed(Vec<ParameterValue>),
     /// All samples so far are to be distributed, and then this answered.
     Flush(oneshot::Sender<()>),
@@ -36,7 +34,6 @@ pub(super) struct HubHandle {
     /// Samples that must not be dropped and found no room, by slot, until the hub takes them.
     retained: Mutex<BTreeMap<u16, StreamSample>>,
     order: AtomicU64,
-    /// Number of log lines so far.
     pub(super) log_lines: AtomicU64,
     /// Notified when a sample was put aside.
     pub(super) is_retained: Notify,
@@ -89,7 +86,6 @@ impl HubHandle {
         std::mem::take(&mut *self.retained.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Passes a sample to the hub, or puts it aside if it must not be dropped.
     pub(super) fn send(&self, sample: StreamSample) {
         match self.samples.try_send(sample) {
             Ok(()) => {}

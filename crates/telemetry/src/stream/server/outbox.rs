@@ -13,13 +13,11 @@ use crate::stream::protocol::{FromServer, Level, ServerFrame, Text as _};
 #[derive(Debug)]
 pub(super) struct Outbox {
     control: mpsc::Sender<Message>,
-    /// Size of the control queue (bytes).
     control_bytes: AtomicUsize,
     most_control_bytes: usize,
     data: Mutex<Backlog<QueuedSample>>,
     is_data: Notify,
     is_cut: Notify,
-    /// `true` if nothing more is added.
     is_finished: AtomicBool,
     finishes: Notify,
 }

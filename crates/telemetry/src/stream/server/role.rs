@@ -12,8 +12,7 @@ impl Role {
         }
     }
 
-    /// Returns the least role that may call `service`. The least of all may stop: every client that
-    /// sees a failure may end it.
+    /// Returns the least role for `service`. Every client that sees a failure may stop the host.
     pub const fn for_service(service: Service) -> Self {
         match service {
             Service::Stop => Self::Viewer,

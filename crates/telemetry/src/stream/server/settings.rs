@@ -93,7 +93,6 @@ pub enum Tls {
     },
     /// Self-made, for names or addresses; clients recognise it by its fingerprint.
     SelfMade {
-        /// Names and addresses of the machine.
         names: Vec<String>,
         /// Folder that keeps it; if `None`, each run has another one.
         folder: Option<PathBuf>,
@@ -119,7 +118,6 @@ pub struct ServerLimits {
     pub data_bytes: usize,
     /// Replies and the like that wait for a slow client; one with more is cut.
     pub control_messages: usize,
-    /// Total size of these (bytes).
     pub control_bytes: usize,
     pub handshake: Duration,
     /// Time until a wrong token is rejected.
@@ -166,7 +164,6 @@ pub enum Unsafe {
         shortest = Token::SHORTEST
     )]
     Short,
-    /// An origin that any page can send.
     #[error(
         "the origin {0:?} is no web page's: give the page's scheme and name, as https://app.example"
     )]

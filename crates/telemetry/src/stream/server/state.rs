@@ -13,11 +13,9 @@ pub(super) struct ServerState {
     /// The channels, encoded once for all clients.
     pub(super) advertised: Message,
     pub(super) acceptor: Option<TlsAcceptor>,
-    /// Permits for admitted clients.
     pub(super) places: Arc<Semaphore>,
     /// Permits for clients that are no owners.
     pub(super) others: Arc<Semaphore>,
-    /// Number of clients that were admitted so far.
     pub(super) count: AtomicU64,
     pub(super) closing: watch::Receiver<Option<String>>,
 }

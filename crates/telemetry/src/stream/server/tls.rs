@@ -55,7 +55,6 @@ fn config(
         .with_single_cert(chain, key)
 }
 
-/// Reads the self-made certificate in `folder`, or makes it if it is missing.
 fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
     let (chain, key) = (folder.join("certificate.pem"), folder.join("key.pem"));
     if !(chain.exists() && key.exists()) {
@@ -75,7 +74,6 @@ fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
     read(&chain, &key)
 }
 
-/// Writes a file that only this user may read.
 fn write_secret(path: &Path, text: &str) -> io::Result<()> {
     use io::Write as _;
 
@@ -86,7 +84,6 @@ fn write_secret(path: &Path, text: &str) -> io::Result<()> {
     options.open(path)?.write_all(text.as_bytes())
 }
 
-/// Makes a certificate for these names, and its key, in PEM form.
 fn make(names: &[String]) -> io::Result<(String, String)> {
     let made = rcgen::generate_simple_self_signed(names)
         .map_err(|error| wrong(format!("no certificate can be made for {names:?}: {error}")))?;

@@ -32,8 +32,7 @@ impl WatchedParameters {
         }
     }
 
-    /// Removes names; all if `names` is empty. A client that follows all parameters keeps following
-    /// all, as no single one can be left out.
+    /// Removes names; all if `names` is empty. No single one can be left out of all parameters.
     pub(super) fn remove(&mut self, names: &[String]) {
         if names.is_empty() {
             *self = Self::none();
@@ -45,7 +44,6 @@ impl WatchedParameters {
         }
     }
 
-    /// Returns those of `changed` that the client follows.
     pub(super) fn of(&self, changed: &[ParameterValue]) -> Vec<ParameterValue> {
         match self {
             Self::All => changed.to_vec(),

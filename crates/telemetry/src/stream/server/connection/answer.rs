@@ -18,18 +18,14 @@ pub(super) struct PendingAnswer {
 /// Address of an answer.
 #[derive(Clone, Debug)]
 pub(super) enum Receipt {
-    /// The client's name of a request for parameters, if it has one.
     Parameters(Option<String>),
-    /// Numbers of the service and of the client's call.
     Call(u32, u32),
 }
 
 #[derive(Debug)]
 pub(super) enum ClientRequest {
-    /// Values of parameters; of all if empty.
     Get(Vec<String>),
     Set(Vec<ParameterValue>),
-    /// A call of a service, or the reason why it is invalid.
     Call(Result<Request, String>),
 }
 

@@ -89,9 +89,7 @@ impl Drop for Presence {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ConnectionEnd {
     Left,
-    /// The client does not read.
     Stalled,
-    /// The client sent nothing.
     Silent,
     TooLarge,
     Over,
@@ -127,7 +125,6 @@ fn information(settings: &ServerSettings, role: Role) -> FromServer {
     }
 }
 
-/// Encodes the channels, which are the same for all clients, and long.
 pub(super) fn advertised() -> Message {
     let advertise = FromServer::Advertise { channels: channels() };
     Message::text(advertise.encode().unwrap_or_default())
