@@ -104,7 +104,7 @@ impl Rates {
             let (x, input) = on_the_way(index, ahead);
             let counts = if is_met { holds(&(x, input)) } else { is_end };
             if counts {
-                rates.add(table, &model.jacobian_rows(table.jacobian, &x, &input));
+                rates.add(table, &model.mode_rows(table, &x, &input));
             }
         }
         rates

@@ -64,7 +64,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Model for EquationMod
         x: &[f64; N],
         input: &Motion,
     ) -> <[f64; N] as State>::Matrix {
-        matrix(&self.jacobian_rows(self.mode_table(mode).jacobian, x, input))
+        matrix(&self.mode_rows(self.mode_table(mode), x, input))
     }
 
     #[inline]

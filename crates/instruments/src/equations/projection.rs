@@ -28,19 +28,23 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     ) -> [f64; N] {
         /// Number of Newton steps: along an orbit one is enough; an event needs a few.
         const STEPS: usize = 8;
-        /// Accepted rest of a constraint (m or rad).
+        /// Accepted rest of a constraint (m or rad), or of its rate.
         const NOTHING: f64 = 1e-14;
+        /// Rest below which one that no longer shrinks is rounding.
+        const ROUNDING: f64 = 1e-10;
         let (count, drifts) = (self.table().states.len(), mode.constraints.projected);
-        let mut x = x;
+        let (mut x, mut last) = (x, f64::INFINITY);
         for _ in 0..STEPS {
             let mut out = [[0.0; N]; 3];
             self.call(projection, &x, input, out.as_flattened_mut());
             let flat = out.as_flattened();
             let drift = flat.iter().skip(count).take(drifts);
             let most = drift.fold(0.0, |most: f64, drift| most.max(drift.abs()));
-            if !most.is_finite() || most <= NOTHING {
+            let is_rounding = most <= NOTHING || (most <= ROUNDING && most >= last);
+            if !most.is_finite() || is_rounding {
                 break;
             }
+            last = most;
             x = core::array::from_fn(|i| if i < count { flat[i] } else { 0.0 });
         }
         x

@@ -20,7 +20,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         x: &[f64; N],
         input: &Motion,
     ) -> f64 {
-        let jacobian = |x: &[f64; N]| self.jacobian_rows(self.mode_table(mode).jacobian, x, input);
+        let jacobian = |x: &[f64; N]| self.mode_rows(self.mode_table(mode), x, input);
         let rates = self.derivative(mode, x, input);
         self.step_by(jacobian, (longest, rates), x)
     }

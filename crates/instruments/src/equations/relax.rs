@@ -122,7 +122,12 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         input: &Motion,
     ) -> ([f64; N], [[f64; N]; N]) {
         let rates = self.held_rates(table, x, input);
-        let mut rows = self.jacobian_rows(table.jacobian, x, input);
+        // Off the constraints that multipliers hold, another pose would balance.
+        let mut rows = if table.constraints.is_held {
+            self.differenced(table, x, input)
+        } else {
+            self.mode_rows(table, x, input)
+        };
         for contact in self.overlapping(table, x, input) {
             add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
         }

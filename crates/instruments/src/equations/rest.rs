@@ -15,6 +15,9 @@ const ROUNDING: f64 = 4e-16;
 /// Rate that counts as zero (m/s², or rad/s²): a micrometre in four seconds.
 const STILL: f64 = 1e-7;
 
+/// Rate (1/s) at which Newton's method holds what constraints hold: far below any of a mechanism.
+const HOLDING: f64 = 1e-4;
+
 /// Rest of a model, and the imbalance if it is no equilibrium.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RestPose<const N: usize> {
@@ -163,7 +166,9 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         let (rates, rows) = self.held_up(table, x, input);
         let imbalance = core::array::from_fn(|i| if has(i) { rates[i] } else { 0.0 });
         // 1 − M is minus the Jacobian where something moves, and 1 elsewhere.
-        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        // Across constraints that multipliers hold, rates say nothing.
+        let own = if table.constraints.is_held { 1.0 - HOLDING } else { 1.0 };
+        let unit = |i: usize, j: usize| if i == j { own } else { 0.0 };
         let entry = |i, j| if has(i) && has(j) { unit(i, j) + rows[i][j] } else { 0.0 };
         let shifted = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
         let shifted: <[f64; N] as State>::Matrix = matrix(&shifted);

@@ -242,7 +242,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
             return Guarded::longest_step_at(self, mode, x, input);
         }
         let jacobian = |x: &[f64; N]| {
-            let mut rows = self.jacobian_rows(self.mode_table(mode).jacobian, x, input);
+            let mut rows = self.mode_rows(self.mode_table(mode), x, input);
             for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
                 add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
             }

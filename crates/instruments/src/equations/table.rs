@@ -188,8 +188,9 @@ pub struct ModeTable {
     pub part_list: Vec<Part>,
     pub constraints: ConstraintTable,
     pub forces: ForceTable,
-    /// Computes the Jacobian of the derivative by the state, row by row.
-    pub jacobian: FunctionId,
+    /// Computes the Jacobian of the derivative by the state, row by row; `None` for a large mode,
+    /// whose derivative is differenced instead.
+    pub jacobian: Option<FunctionId>,
     pub series: Option<SeriesTable>,
     /// Kind of the equations; their fastest rate comes from the Jacobian at the rest pose.
     pub kind: EquationKind,
@@ -213,8 +214,10 @@ pub struct ConstraintTable {
     /// Takes one Newton step towards the constraints that are not slaved; the distance of each from
     /// zero follows the state.
     pub projection: Option<FunctionId>,
-    /// Number of constraints of the projection.
+    /// Number of distances of the projection.
     pub projected: usize,
+    /// `true` if multipliers hold constraints between entries that all move by equations.
+    pub is_held: bool,
     /// Computes from the constants the distance that an event may move a coordinate onto the
     /// constraints, in its unit; farther is a fault. `None` allows any distance.
     pub longest_projection: Option<FunctionId>,
@@ -243,6 +246,7 @@ impl ModeTable {
             slaved: None,
             projection: None,
             projected: 0,
+            is_held: false,
             longest_projection: None,
         },
         forces: ForceTable {
@@ -251,7 +255,7 @@ impl ModeTable {
             outputs: Self::NO_FUNCTION,
             balance: Self::NO_FUNCTION,
         },
-        jacobian: Self::NO_FUNCTION,
+        jacobian: Some(Self::NO_FUNCTION),
         series: None,
         kind: EquationKind::Smooth,
         loss: None,

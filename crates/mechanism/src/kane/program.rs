@@ -76,7 +76,8 @@ fn obstacle(name: &str, text: &str, error: &DerivationError) -> Diagnostic {
     };
     let line = match &error.obstacle {
         DerivationObstacle::DependentConstraints { constraints }
-        | DerivationObstacle::SingularConstraints { constraints, .. } => {
+        | DerivationObstacle::SingularConstraints { constraints, .. }
+        | DerivationObstacle::ImpossibleSpeeds { constraints, .. } => {
             constraints.last().and_then(|it| entry_of(&["constraints", "contacts"], it))
         }
         DerivationObstacle::Massless { speed } => {

@@ -29,8 +29,10 @@ pub struct ModeEquations {
     pub is_free: Vec<bool>,
     /// One Newton step towards constraints that are not solved in closed form; may be empty.
     pub projection: Vec<Node>,
-    /// Distance of each such constraint from zero.
+    /// Distance of each such constraint from zero, and the rates of those that multipliers hold.
     pub drift: Vec<Node>,
+    /// `true` if multipliers hold constraints, whose coordinates and speeds all move by equations.
+    pub is_held: bool,
     /// Contributions of contacts to the derivative per unit of normal force and of friction.
     pub contacts: Vec<ContactEquations>,
     /// Generalised force on the driver of the input, without contacts.

@@ -26,6 +26,10 @@ use self::functions::Callees;
 /// Most instructions of all functions, compiled in about a second; the largest model has a tenth.
 pub const MAX_INSTRUCTIONS: usize = 150_000;
 
+/// Instructions of a function from which on registers are allocated in one pass: the time of the
+/// better allocation grows with the square of a function's length.
+const LONG: usize = 4_096;
+
 /// Reason for missing machine code.
 #[derive(Debug, thiserror::Error)]
 pub enum NativeError {
@@ -70,7 +74,8 @@ pub fn compile_unless_cancelled(
     if found > MAX_INSTRUCTIONS {
         return Err(NativeError::TooMany { found });
     }
-    let mut module = module()?;
+    let longest = functions.iter().map(|tape| tape.instructions.len()).max();
+    let mut module = module(longest.unwrap_or(0))?;
     let callees = Callees::declare(&mut module)?;
     let mut context = module.make_context();
     let mut builder = FunctionBuilderContext::new();
@@ -93,9 +98,12 @@ pub fn compile_unless_cancelled(
     Ok(NativeFunctions::new(module, entries))
 }
 
-fn module() -> Result<JITModule, NativeError> {
+fn module(longest: usize) -> Result<JITModule, NativeError> {
     let mut flags = settings::builder();
     flags.set("opt_level", "speed")?;
+    if longest > LONG {
+        flags.set("regalloc_algorithm", "single_pass")?;
+    }
     flags.set("is_pic", "false")?;
     flags.set("use_colocated_libcalls", "false")?;
     flags.set("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" })?;

@@ -21,6 +21,7 @@ mod lagrange;
 mod named_forces;
 mod oracle;
 mod passivity;
+mod pivots;
 mod plain_equations;
 mod playable;
 mod readable;

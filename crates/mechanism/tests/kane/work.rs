@@ -11,7 +11,7 @@ use crate::kane::shipped::{Folder, files};
 const ROOM: u64 = 10;
 
 /// Rods that hang from each other: a short text with equations that grow with their number.
-fn pendulum(links: usize) -> String {
+pub(crate) fn pendulum(links: usize) -> String {
     let mut tables = [String::new(), String::new(), String::new()];
     for link in 1..=links {
         let [coordinates, frames, bodies] = &mut tables;
@@ -57,12 +57,21 @@ phi1 = "s"
 
 #[test]
 fn a_description_of_too_much_work_is_refused_in_a_sentence() {
-    for links in [16, 64] {
-        let said = derive_model("pendulum.toml", &pendulum(links), &()).unwrap_err();
-        let [mistake] = said.as_slice() else { panic!("{said}") };
-        assert!(mistake.message.contains("too much work"), "{said}");
-        assert!(mistake.help.starts_with("describe a smaller model"), "{said}");
-    }
+    let said = derive_model("pendulum.toml", &pendulum(64), &()).unwrap_err();
+    let [mistake] = said.as_slice() else { panic!("{said}") };
+    assert!(mistake.message.contains("too much work"), "{said}");
+    assert!(mistake.help.starts_with("describe a smaller model"), "{said}");
+}
+
+#[test]
+fn work_grows_with_the_third_power_of_a_chains_length() {
+    let work = |links| {
+        let model = derive_model("pendulum.toml", &pendulum(links), &()).expect("a model");
+        model.program.work as f64
+    };
+    let [twelve, long] = [12, 24].map(work);
+    println!("12 rods: {twelve} operands; 24 rods: {long}");
+    assert!(long < 16.0 * twelve && long < MAX_WORK as f64 / 3.0, "{twelve}, {long}");
 }
 
 #[test]

@@ -16,6 +16,9 @@ impl Substitution {
 
     /// Returns `node` with the symbols replaced; their replacements are not searched again.
     pub fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
+        if let Some(known) = self.known.get(&node) {
+            return *known;
+        }
         for reached in graph.reached(&[node]) {
             if !self.known.contains_key(&reached) {
                 let replaced = self.one(graph, reached);

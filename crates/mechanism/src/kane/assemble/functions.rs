@@ -1,5 +1,7 @@
 //! The functions of a program, and their values by interpretation.
 
+use std::collections::HashMap;
+
 use instruments::MAX_CODED_CONTACTS;
 use instruments::equations::table::{Arguments, EnclosureLayout, FunctionId, Functions};
 
@@ -61,6 +63,8 @@ pub(super) struct FunctionList {
     parameters: usize,
     placed: usize,
     pub(super) hoisting: Hoisting,
+    /// Programs by their outputs: a part that is the whole has the same.
+    lowered: HashMap<Vec<Node>, Tape>,
     pub(super) functions: TapeFunctions,
     pub(super) names: Vec<String>,
 }
@@ -93,6 +97,7 @@ impl FunctionList {
             parameters,
             placed: 0,
             hoisting: Hoisting::new(parameters),
+            lowered: HashMap::new(),
             functions: TapeFunctions::default(),
             names: Vec::new(),
         }
@@ -135,6 +140,9 @@ impl FunctionList {
         name: &str,
         outputs: &[Node],
     ) -> Result<Tape, AssemblyError> {
+        if let Some(known) = self.lowered.get(outputs) {
+            return Ok(known.clone());
+        }
         for number in self.placed..self.parameters + self.hoisting.constants.len() {
             let number = u16::try_from(number).unwrap_or(u16::MAX);
             self.layout.place(Place::Parameter(number), Argument::Constant(number));
@@ -145,7 +153,9 @@ impl FunctionList {
         if let Some(end) = graph.given_up() {
             return Err(AssemblyError::GivenUp(end));
         }
-        tape.map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))
+        let tape = tape.map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))?;
+        self.lowered.insert(outputs.to_vec(), tape.clone());
+        Ok(tape)
     }
 
     pub(super) fn add_tape(&mut self, name: &str, tape: Tape) -> Result<FunctionId, AssemblyError> {

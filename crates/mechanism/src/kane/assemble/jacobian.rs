@@ -63,6 +63,34 @@ impl<'a> StateOfMode<'a> {
         }
         rows
     }
+
+    /// Returns the Jacobian and `true`; `false` if its expressions would be too many, with the rate
+    /// that depends on an entry's place as the entry.
+    pub(super) fn rows(&self, graph: &mut Graph, rates: &[Node]) -> (Vec<Vec<Node>>, bool) {
+        /// Most operands of the rates times entries that move; the largest shipped model has half.
+        const MOST: usize = 33_000;
+        let free: Vec<Node> = self.free().map(|index| rates[index]).collect();
+        let mut operands = 0;
+        for node in graph.reached(&free) {
+            graph.operation(node).operands(|_| operands += 1);
+        }
+        if operands * free.len() <= MOST {
+            return (self.jacobian(graph, rates), true);
+        }
+        let zero = graph.constant(0.0);
+        let mut rows = vec![vec![zero; self.state.len()]; self.state.len()];
+        let rates = self.replaced(graph, rates);
+        for row in self.free() {
+            let reached = graph.reached(&[rates[row]]);
+            let symbols = self.state.iter().map(|place| graph.symbol(*place));
+            let is_used = symbols.map(|it| reached.binary_search(&it).is_ok());
+            let uses: Vec<bool> = is_used.collect();
+            for column in self.free().filter(|column| uses[*column]) {
+                rows[row][column] = rates[row];
+            }
+        }
+        (rows, false)
+    }
 }
 
 fn slaved_places(state: &[Place], is_free: &[bool], slaved: &[Node]) -> Vec<(Place, Node)> {

@@ -51,7 +51,7 @@ fn motion(
     let (equations, state) = (builder.equations, &builder.state);
     let rates = &equations.derivative;
     let parameters = u16::try_from(builder.context.mechanism.parameters.len()).unwrap_or(u16::MAX);
-    let rows = state.jacobian(graph, rates);
+    let (rows, is_known) = state.rows(graph, rates);
     let flat: Vec<_> = rows.iter().flatten().copied().collect();
     let loss = LossKind::of(graph, equations.dissipated, parameters);
     let free: Vec<_> = state.free().map(|index| rates[index]).collect();
@@ -79,9 +79,10 @@ fn motion(
             slaved: slaved.transpose()?,
             projection: projection(graph, functions, builder)?,
             projected: equations.drift.len(),
+            is_held: equations.is_held,
             longest_projection: None,
         },
-        jacobian: builder.add(graph, functions, "jacobian", &flat)?,
+        jacobian: is_known.then(|| builder.add(graph, functions, "jacobian", &flat)).transpose()?,
         kind,
         loss: loss.function(graph, functions, &format!("{}_loss", builder.name))?,
         is_stiffening: is_stiffening(graph, &rows, builder.context.places),

@@ -30,6 +30,10 @@ pub(super) fn series(
     let guards: Vec<Node> = builder.equations.guards.iter().map(|guard| guard.value).collect();
     let guards = guards.get(..MOST_GUARDS).unwrap_or(&guards);
     let outputs = state.replaced(graph, &[rates.as_slice(), &slaved, guards].concat());
+    // Sharing halves a program at best.
+    if graph.reached(&outputs).len() > 2 * LONGEST {
+        return Ok(None);
+    }
     let name = format!("{}_series", builder.name);
     let tape = functions.tape(graph, &name, &outputs)?;
     if tape.instructions.len() > LONGEST {

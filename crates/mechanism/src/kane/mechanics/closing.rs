@@ -51,7 +51,7 @@ pub(super) fn close(
 }
 
 /// Returns the shortest x of J x = r, by Jᵀ (J Jᵀ + small)⁻¹ r.
-fn least_step(jacobian: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
+pub(super) fn least_step(jacobian: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     const SMALL: f64 = 1e-14;
     let n = right.len();
     if n == 0 {

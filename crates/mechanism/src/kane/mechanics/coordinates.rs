@@ -12,9 +12,12 @@ use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
 /// Fraction of the largest coefficient below which a coefficient cannot be a pivot.
 const NEGLIGIBLE: f64 = 1e-3;
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum SlopeKind {
+/// Slopes of constraints by the coordinates that are eliminated.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum SlopeKind {
+    /// They never vanish; constraints with other slopes act by multipliers.
     Constant,
+    /// They may depend on other coordinates: each constraint gives a dependent speed.
     Linear,
 }
 
@@ -48,13 +51,13 @@ impl SolvedCoordinates {
     pub(super) fn of(
         graph: &mut Graph,
         pose: &NumericPose,
-        mechanism: &Mechanism,
-        mode: &Mode,
+        (mechanism, mode): (&Mechanism, &Mode),
+        most: SlopeKind,
     ) -> Result<Self, Vec<usize>> {
         let mut solved = Self { stated: stated(graph, mode)?, linear: BTreeMap::new() };
         let mut pose = pose.clone();
         solved.place(graph, &mut pose);
-        Search { graph, pose: &pose, mechanism, mode }.fill(&mut solved);
+        Search { graph, pose: &pose, mechanism, mode, most }.fill(&mut solved);
         Ok(solved)
     }
 
@@ -99,6 +102,7 @@ struct Search<'a> {
     pose: &'a NumericPose,
     mechanism: &'a Mechanism,
     mode: &'a Mode,
+    most: SlopeKind,
 }
 
 impl Search<'_> {
@@ -110,7 +114,8 @@ impl Search<'_> {
             .filter(|coordinate| self.is_free(solved, *coordinate))
             .collect();
         let constant = candidates.iter().map(|it| (*it, SlopeKind::Constant));
-        let linear = candidates.iter().map(|it| (*it, SlopeKind::Linear));
+        let most = self.most;
+        let linear = candidates.iter().map(|it| (*it, most));
         for (coordinate, kind) in constant.chain(linear) {
             if !chosen.contains(&coordinate) && self.fits(&zeros, &chosen, coordinate, kind) {
                 chosen.push(coordinate);
@@ -181,7 +186,7 @@ impl Search<'_> {
     }
 
     fn solve(&mut self, zeros: &[Node], chosen: &[usize]) -> Option<Vec<Node>> {
-        let (zeros, slopes) = self.usable(zeros, chosen, SlopeKind::Linear);
+        let (zeros, slopes) = self.usable(zeros, chosen, self.most);
         let values = self.pose.matrix(self.graph, &slopes);
         let mut rows: Vec<usize> =
             numeric::pivots(values, &[(0..chosen.len()).collect()]).iter().map(|it| it.0).collect();

@@ -166,12 +166,10 @@ impl ModeScope<'_> {
             .state
             .iter()
             .zip(&equations.slaved)
-            .map(|(place, slaved)| {
-                let Place::Coordinate(i) = place else { return *slaved };
-                projection.coordinates.get(&usize::from(*i)).copied().unwrap_or(*slaved)
-            })
+            .map(|(place, slaved)| projection.moved.get(place).copied().unwrap_or(*slaved))
             .collect();
         equations.drift = projection.drift;
+        equations.is_held = !self.motion().speeds.held.is_empty();
     }
 
     fn guard(&self, graph: &mut Graph, forms: &mut ExplicitForms, guard: &Guard) -> GuardEquations {

@@ -20,6 +20,8 @@ pub enum DerivationObstacle {
     DependentConstraints { constraints: Vec<String> },
     /// The constraints lose their rank at a pose within the ranges.
     SingularConstraints { constraints: Vec<String>, pose: String },
+    /// The stated independent speeds do not determine the others at the rest pose.
+    ImpossibleSpeeds { speeds: Vec<String>, constraints: Vec<String> },
     /// The `solved` expressions of these coordinates depend on one another.
     CircularSolution { coordinates: Vec<String> },
     /// The `solved` expressions do not meet a constraint.
@@ -64,6 +66,13 @@ impl fmt::Display for DerivationObstacle {
                 f,
                 "at {pose} the rate of {} vanishes, so that it holds nothing there; write it so \
                  that it changes with what it holds, or narrow the ranges",
+                constraints.join(", ")
+            ),
+            Self::ImpossibleSpeeds { speeds, constraints } => write!(
+                f,
+                "at the rest pose the other speeds do not follow from {} by the constraints {}; \
+                 name other speeds in `independent`, or leave it out",
+                speeds.join(", "),
                 constraints.join(", ")
             ),
             Self::CircularSolution { coordinates } => write!(

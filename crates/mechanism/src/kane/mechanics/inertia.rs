@@ -9,6 +9,10 @@ use super::vector::{Components, FrameVector, Orientations, cross};
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::mechanism::Mechanism;
 
+/// Most frames along whose axes a velocity is a sum. A product of two longer sums has more terms
+/// than one along the ground's axes.
+const MOST_PARTS: usize = 9;
+
 /// Inertia and weight of all bodies, over all speeds, the input's rate and the clocks, if any.
 #[derive(Debug)]
 pub(super) struct InertiaTerms {
@@ -39,7 +43,13 @@ pub(super) fn drift(graph: &mut Graph, mechanism: &Mechanism, rate: Node) -> Nod
 impl InertiaTerms {
     pub(super) fn of(graph: &mut Graph, mechanism: &Mechanism) -> Self {
         let mut axes = Orientations::new(&mechanism.frames);
-        let bodies = kinematics::bodies(graph, &mut axes, mechanism);
+        let mut bodies = kinematics::bodies(graph, &mut axes, mechanism);
+        let is_long = bodies.iter().any(|it| it.velocity.parts.len() > MOST_PARTS);
+        if is_long {
+            for motion in &mut bodies {
+                motion.put_on_ground(graph, &mut axes);
+            }
+        }
         let places = rates(mechanism);
         let zero = graph.constant(0.0);
         let has_clocks = mechanism.coordinates.iter().any(|it| {
@@ -53,6 +63,7 @@ impl InertiaTerms {
             weight: vec![Vec::new(); rows],
             potential: Vec::new(),
             direct: Vec::new(),
+            is_long,
         };
         for (body, motion) in mechanism.masses.bodies.iter().zip(&bodies) {
             let inertia = body.inertia.map(|it| it.unwrap_or(zero));
@@ -70,6 +81,7 @@ struct InertiaSums {
     weight: Vec<Vec<(Node, f64)>>,
     potential: Vec<(Node, f64)>,
     direct: Vec<(Node, f64)>,
+    is_long: bool,
 }
 
 struct BodyTerms<'a> {
@@ -206,7 +218,7 @@ impl InertiaSums {
         };
         let mass: Vec<Vec<Node>> = self.mass.into_iter().map(&mut vector).collect();
         let (bias, weight) = (vector(self.bias), vector(self.weight));
-        let kinetic = if has_drift(graph, mechanism, bodies) {
+        let kinetic = if self.is_long || has_drift(graph, mechanism, bodies) {
             graph.sum(&self.direct)
         } else {
             half_square(graph, &rates(mechanism), &mass)

@@ -15,6 +15,15 @@ pub(super) struct BodyMotion {
     pub(super) angular_acceleration: FrameVector,
 }
 
+impl BodyMotion {
+    /// Turns position, velocity and acceleration into components along the ground's axes.
+    pub(super) fn put_on_ground(&mut self, graph: &mut Graph, axes: &mut Orientations<'_>) {
+        for vector in [&mut self.position, &mut self.velocity, &mut self.acceleration] {
+            *vector = FrameVector::of(0, axes.express(graph, vector, 0));
+        }
+    }
+}
+
 #[derive(Clone, Debug, Default)]
 struct FrameMotion {
     position: FrameVector,

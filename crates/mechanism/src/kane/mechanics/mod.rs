@@ -2,7 +2,8 @@
 //!
 //! Generalised forces and inertia forces are projected on the partial velocities of the bodies'
 //! mass centres, F + F* = 0 `[KL85]`. Each mode solves what coordinates and speeds it can from its
-//! constraints; reactions are the remainders of the rows of dependent speeds.
+//! constraints; reactions are the remainders of the rows of dependent speeds. Where the pivot of
+//! dependent speeds sinks within reach, multipliers hold the constraints instead.
 
 mod balance;
 mod closing;
@@ -18,11 +19,13 @@ mod left_out;
 mod linear;
 mod mass_factor;
 mod motion;
+mod multipliers;
 mod numeric;
 mod poses;
 mod projection;
 mod reset;
 mod singular;
+mod sinking;
 mod speed_checks;
 mod speeds;
 mod vector;

@@ -7,16 +7,17 @@ use super::kinematics::number;
 use super::linear;
 use super::motion::ModeMotion;
 use super::numeric;
-use crate::kane::graph::{Graph, Node, Place};
+use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
 
 const ROUNDING: f64 = 1e-9;
 
-/// Distances of constraints from zero, and coordinates after one step of Newton's method.
+/// Distances of constraints from zero, and the state after one step of Newton's method.
 #[derive(Debug, Default)]
 pub(super) struct Projection {
+    /// Distances, and the rates of constraints that multipliers hold.
     pub(super) drift: Vec<Node>,
-    pub(super) coordinates: BTreeMap<usize, Node>,
+    pub(super) moved: BTreeMap<Place, Node>,
 }
 
 impl Projection {
@@ -27,6 +28,9 @@ impl Projection {
         mode: &Mode,
         motion: &ModeMotion,
     ) -> Self {
+        if !motion.speeds.held.is_empty() {
+            return Self::of_held(graph, mechanism, motion);
+        }
         let free: Vec<usize> =
             (0..mechanism.coordinates.len()).filter(|i| !motion.solved.contains_key(i)).collect();
         let nearby = motion.pose.nearby(mechanism);
@@ -45,8 +49,41 @@ impl Projection {
                 slopes.push(row);
             }
         }
-        let coordinates = step(graph, mechanism, motion, &free, &drift, &slopes);
-        Self { drift, coordinates }
+        let moved = step(graph, mechanism, motion, &free, &drift, &slopes);
+        Self { drift, moved }
+    }
+
+    /// Returns the smallest step, by mass, of coordinates and speeds towards the held rows.
+    fn of_held(graph: &mut Graph, mechanism: &Mechanism, motion: &ModeMotion) -> Self {
+        let mut finish = motion.finishing();
+        let zero = graph.constant(0.0);
+        let (mut distances, mut rates) = (Vec::new(), Vec::new());
+        for row in &motion.speeds.held {
+            let constraint = row.constraint.map(|c| &mechanism.constraints[c]);
+            let places = constraint.filter(|it| it.kind == ConstraintKind::Holonomic);
+            distances.push(places.map_or(zero, |it| it.zero));
+            rates.push(row.rate(graph, mechanism));
+        }
+        let turned = motion.correction(graph, &distances);
+        let speeds = turned.iter().enumerate().map(|(j, by)| (Place::Speed(number(j)), *by));
+        let mut along = Tangent::new(speeds.collect::<Vec<_>>());
+        let mut changes = Vec::new();
+        for (i, coordinate) in mechanism.coordinates.iter().enumerate() {
+            let change = along.of(graph, coordinate.rate);
+            changes.push((Place::Coordinate(number(i)), change));
+        }
+        let turned = motion.correction(graph, &rates);
+        changes.extend(turned.iter().enumerate().map(|(j, by)| (Place::Speed(number(j)), *by)));
+        let is_moved = |place: &Place| !motion.is_solved(*place);
+        let mut moved = BTreeMap::new();
+        for (place, change) in changes.into_iter().filter(|it| is_moved(&it.0)) {
+            let symbol = graph.symbol(place);
+            let sum = graph.add(symbol, change);
+            moved.insert(place, finish.of(graph, sum));
+        }
+        distances.retain(|it| !graph.is_zero(*it));
+        let drift = distances.into_iter().chain(rates).map(|it| finish.of(graph, it)).collect();
+        Self { drift, moved }
     }
 }
 
@@ -58,7 +95,7 @@ fn step(
     free: &[usize],
     drift: &[Node],
     slopes: &[Vec<Node>],
-) -> BTreeMap<usize, Node> {
+) -> BTreeMap<Place, Node> {
     let is_dependent = |column: &usize| {
         let speed = plain_speed(graph, mechanism, free[*column]);
         speed.is_some_and(|speed| motion.speeds.dependent.contains(&speed))
@@ -74,9 +111,9 @@ fn step(
         .iter()
         .zip(changes)
         .map(|((_, column), change)| {
-            let coordinate = free[*column];
-            let symbol = graph.symbol(Place::Coordinate(number(coordinate)));
-            (coordinate, graph.subtract(symbol, change[0]))
+            let place = Place::Coordinate(number(free[*column]));
+            let symbol = graph.symbol(place);
+            (place, graph.subtract(symbol, change[0]))
         })
         .collect()
 }

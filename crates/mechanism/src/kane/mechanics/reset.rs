@@ -116,7 +116,7 @@ impl ResetScope<'_> {
             return None;
         }
         let responses: Vec<Vec<Node>> =
-            reduced.iter().map(|row| motion.factor.solve(graph, row)).collect();
+            reduced.iter().map(|row| motion.answer(graph, row)).collect();
         let a = reduced
             .iter()
             .map(|row| responses.iter().map(|response| inner(graph, row, response)).collect());
@@ -174,11 +174,14 @@ impl ResetScope<'_> {
     ) -> (Vec<ImpactRow>, Vec<Vec<Node>>) {
         let pose = &self.motions[branch.to].pose;
         let mut kept = (Vec::new(), Vec::new());
-        let mut values: Vec<Vec<f64>> = Vec::new();
+        let mut values = pose.matrix(graph, &self.motions[self.from].held.slopes);
+        let rank = |values: &[Vec<f64>], columns: usize| {
+            numeric::pivots(values.to_vec(), &[(0..columns).collect()]).len()
+        };
         for (row, slopes) in rows.into_iter().zip(reduced) {
-            let columns: Vec<usize> = (0..slopes.len()).collect();
+            let before = rank(&values, slopes.len());
             values.push(pose.all(graph, &slopes));
-            if numeric::pivots(values.clone(), &[columns]).len() == values.len() {
+            if rank(&values, slopes.len()) > before {
                 kept.0.push(row);
                 kept.1.push(slopes);
             } else {

@@ -19,9 +19,12 @@ impl SpeedProblem<'_> {
     }
 
     pub(super) fn dependent(&self, rows: &[VelocityRow]) -> Vec<DerivationObstacle> {
-        let names = rows.iter().filter_map(|row| row.constraint);
-        let constraints = names.map(|c| self.mechanism.constraints[c].name.clone()).collect();
-        vec![DerivationObstacle::DependentConstraints { constraints }]
+        vec![DerivationObstacle::DependentConstraints { constraints: self.names(rows) }]
+    }
+
+    pub(super) fn names(&self, rows: &[VelocityRow]) -> Vec<String> {
+        let constraints = rows.iter().filter_map(|row| row.constraint);
+        constraints.map(|c| self.mechanism.constraints[c].name.clone()).collect()
     }
 
     /// Checks that stated coordinates in constraints follow from these, not as a further condition.
@@ -49,6 +52,9 @@ impl SpeedProblem<'_> {
         let mut unmet = Vec::new();
         for row in &map.rows {
             let Some(constraint) = row.constraint else { continue };
+            if map.held.iter().any(|it| it.constraint == row.constraint) {
+                continue;
+            }
             let columns = (0..map.independent.len())
                 .map(|k| map.slopes.iter().map(|it| it[k]).collect::<Vec<_>>());
             let mut left: Vec<Node> = Vec::new();

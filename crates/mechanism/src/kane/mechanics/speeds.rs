@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::coordinates::{SolvedCoordinates, plain_speed};
+use super::coordinates::{SlopeKind, SolvedCoordinates, plain_speed};
 use super::error::DerivationObstacle;
 use super::inertia::{gradient, rates};
 use super::kinematics::{along_places, number};
@@ -35,6 +35,12 @@ pub(super) struct SpeedMap {
     pub(super) offset: Vec<Node>,
     /// Rows of the constraints, and of solved coordinates that no constraint covers.
     pub(super) rows: Vec<VelocityRow>,
+    /// Rows that stated coordinates do not meet, without the speeds of these.
+    pub(super) open: Vec<VelocityRow>,
+    /// Dependent speeds that follow from open rows.
+    pub(super) chosen: Vec<usize>,
+    /// Rows that no dependent speed meets: multipliers hold them.
+    pub(super) held: Vec<VelocityRow>,
 }
 
 pub(super) struct SpeedProblem<'a> {
@@ -44,6 +50,7 @@ pub(super) struct SpeedProblem<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) mode: &'a Mode,
     pub(super) solved: &'a SolvedCoordinates,
+    pub(super) most: SlopeKind,
 }
 
 pub(super) fn row(
@@ -57,6 +64,18 @@ pub(super) fn row(
     let without = speeds[..mechanism.speeds.len()].iter().map(|place| (*place, zero));
     let rest = Substitution::new(without).of(graph, rate);
     VelocityRow { constraint, stated: None, slopes: gradient(graph, mechanism, rate), rest }
+}
+
+impl VelocityRow {
+    /// Returns the rate of the row's constraint.
+    pub(super) fn rate(&self, graph: &mut Graph, mechanism: &Mechanism) -> Node {
+        let mut terms = vec![(self.rest, 1.0)];
+        for (place, slope) in rates(mechanism).into_iter().zip(&self.slopes) {
+            let symbol = graph.symbol(place);
+            terms.push((graph.multiply(*slope, symbol), 1.0));
+        }
+        graph.sum(&terms)
+    }
 }
 
 impl SpeedMap {
@@ -83,7 +102,7 @@ impl SpeedProblem<'_> {
         let open: Vec<VelocityRow> =
             rows.iter().chain(&own).map(|it| self.without_stated(it, &stated)).collect();
         let open = self.without_met(&rows, open);
-        let chosen = self.choose(&open, &stated);
+        let chosen = self.choose(&open, &stated)?;
         let count = rows.len();
         let all_rows = self.reaction_rows(rows, own, &stated);
         self.check_stated(&all_rows, count)?;
@@ -162,7 +181,7 @@ impl SpeedProblem<'_> {
         &self,
         open: &[VelocityRow],
         stated: &BTreeMap<usize, VelocityRow>,
-    ) -> Vec<(usize, usize)> {
+    ) -> Result<Vec<(usize, usize)>, Vec<DerivationObstacle>> {
         let linear: Vec<usize> = (self.solved.linear.keys())
             .filter_map(|i| plain_speed(self.graph, self.mechanism, *i))
             .collect();
@@ -174,9 +193,29 @@ impl SpeedProblem<'_> {
         let others = (0..self.mechanism.speeds.len())
             .rev()
             .filter(|j| !stated.contains_key(j) && !linear.contains(j) && !is_kept(j));
-        let groups = [linear.clone(), others.collect()];
+        let others: Vec<usize> = others.collect();
         let slopes: Vec<Vec<Node>> = open.iter().map(|row| row.slopes.clone()).collect();
-        numeric::pivots(self.pose.matrix(self.graph, &slopes), &groups)
+        let mut values = self.pose.matrix(self.graph, &slopes);
+        if self.most == SlopeKind::Constant {
+            let is_moving = |row: &Vec<Node>| linear.iter().any(|j| is_moving(self.graph, row[*j]));
+            for (_, values) in slopes.iter().zip(&mut values).filter(|(row, _)| is_moving(row)) {
+                values.fill(0.0);
+            }
+            return Ok(numeric::pivots(values, &[linear]));
+        }
+        let chosen = numeric::pivots(values.clone(), &[linear, others]);
+        let unstated = (0..self.mechanism.speeds.len()).filter(|j| !stated.contains_key(j));
+        let rank = numeric::pivots(values, &[unstated.collect()]).len();
+        match &self.mode.independent {
+            Some(independent) if chosen.len() < rank => {
+                let name = |j: &usize| self.mechanism.speeds[*j].name.clone();
+                Err(vec![DerivationObstacle::ImpossibleSpeeds {
+                    speeds: independent.iter().map(name).collect(),
+                    constraints: self.names(open),
+                }])
+            }
+            _ => Ok(chosen),
+        }
     }
 
     /// Returns the constraints' rows, and as many of solved coordinates as reactions need besides.
@@ -230,8 +269,19 @@ impl SpeedProblem<'_> {
         let Some(found) = linear::solve(self.graph, self.pose, a.collect(), right) else {
             return Err(self.dependent(open));
         };
-        let mut map =
-            SpeedMap { independent, dependent, slopes: Vec::new(), offset: Vec::new(), rows };
+        let is_held =
+            |r: &usize| self.most == SlopeKind::Constant && chosen.iter().all(|(row, _)| row != r);
+        let held = (0..open.len()).filter(is_held).map(|r| open[r].clone()).collect();
+        let mut map = SpeedMap {
+            independent,
+            dependent,
+            slopes: Vec::new(),
+            offset: Vec::new(),
+            rows,
+            open: open.to_vec(),
+            chosen: chosen.iter().map(|it| it.1).collect(),
+            held,
+        };
         let (zero, one) = (self.graph.constant(0.0), self.graph.constant(1.0));
         for j in 0..n {
             let of = |k: &usize| if *k == j { one } else { zero };
@@ -264,6 +314,10 @@ impl SpeedProblem<'_> {
             }
         }
     }
+}
+
+pub(super) fn is_moving(graph: &Graph, node: Node) -> bool {
+    graph.depends(node, |place| matches!(place, Place::Coordinate(_) | Place::Input(_)))
 }
 
 /// Returns the direction of the speeds' expressions at constant independent speeds.

@@ -1,5 +1,6 @@
 use super::{Conserved, conserved, free};
 use crate::kane::evaluation::Derived;
+use crate::kane::work::pendulum;
 
 /// Mass (kg), inertia (kg m²), position and velocity of a mass centre, and angular velocity.
 struct Moving {
@@ -81,6 +82,30 @@ fn a_double_pendulum_without_gravity_and_spring_keeps_its_angular_momentum() {
     let quantities: &[(&str, Conserved<'_, 4>)] =
         &[("energy", &energy), ("angular momentum", &about_pivot)];
     conserved(&derived, (0, [0.2, -0.4, 2.0, -3.0]), (0.0, 1.0), quantities);
+}
+
+#[test]
+fn twelve_hanging_rods_keep_their_energy() {
+    let derived = Derived::described(&pendulum(12), 0);
+    let energy = |x: &[f64; 24]| {
+        let (mut angle, mut turn, mut knee, mut speed) = (0.0, 0.0, [0.0; 2], [0.0; 2]);
+        let mut sum = 0.5 * 0.6 * x[0] * x[0];
+        for (q, u) in x[..12].iter().zip(&x[12..]) {
+            (angle, turn) = (angle + q, turn + u);
+            let (sin, cos) = f64::sin_cos(angle);
+            let (half, rate) = ([0.05 * sin, -0.05 * cos], [0.05 * cos * turn, 0.05 * sin * turn]);
+            let place = [knee[0] + half[0], knee[1] + half[1]];
+            let velocity = [speed[0] + rate[0], speed[1] + rate[1]];
+            let rod = Moving { mass: 0.05, inertia: 0.05 * 0.01 / 12.0, place, velocity, turn };
+            sum += rod.energy(9.81);
+            knee = [place[0] + half[0], place[1] + half[1]];
+            speed = [velocity[0] + rate[0], velocity[1] + rate[1]];
+        }
+        sum
+    };
+    let mut start = [0.1; 24];
+    start[0] = 1.0;
+    conserved(&derived, (0, start), (0.0, 0.2), &[("energy", &energy)]);
 }
 
 /// Two bodies in the plane, each with its position and angle, on a spring between their edges.
