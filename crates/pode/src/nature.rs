@@ -45,6 +45,21 @@ impl Nature {
         Self { longest_step, ..self }
     }
 
+    /// Returns how many times faster than its rate the motion is where the model asks for steps of
+    /// `own` (s): as of a contact that the rate does not contain.
+    #[inline]
+    pub fn excess(&self, own: f64) -> f64 {
+        let ratio = self.longest_step / own;
+        if ratio > 1.0 && ratio.is_finite() { ratio } else { 1.0 }
+    }
+
+    /// Returns the nature of a motion that is `times` as fast.
+    #[inline]
+    #[must_use]
+    pub const fn faster(self, times: f64) -> Self {
+        Self { rate: self.rate * times, longest_step: self.longest_step / times, ..self }
+    }
+
     /// Returns `true` if the mode has an exact flow.
     #[inline]
     pub const fn is_linear(&self) -> bool {

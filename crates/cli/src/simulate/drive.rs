@@ -2,7 +2,9 @@
 
 use instruments::{Described, Playable};
 use pode::stepper::{Any, ByNeed, Choice};
-use pode::{Advance, Cap, EnergyAudit, Event, EventCause, Motion, Piece, Signal, Simulator};
+use pode::{
+    Advance, Cap, EnergyAudit, Event, EventCause, Motion, Nature, Piece, Signal, Simulator,
+};
 use pode::{State as _, Stepper, Tick, Watch};
 
 use super::check::{Start, TickClock};
@@ -22,7 +24,14 @@ pub(super) fn run<M: Playable>(
     let TickClock { method, step, .. } = *plan.0;
     let report = method.visit(Driving { start, plan, files })?;
     Ok(if let StudiedMethod::OneOfMany(Any::ByNeed(by_need)) = method {
-        SimulationReport { choices: choices(&by_need, &start.model, step), ..report }
+        let mut all = choices(&by_need, &start.model, step);
+        for (name, choice) in &report.choices {
+            match all.iter_mut().find(|it| it.0 == *name) {
+                Some(known) => known.1 = *choice,
+                None => all.push((name.clone(), *choice)),
+            }
+        }
+        SimulationReport { choices: all, ..report }
     } else {
         SimulationReport { handed_on: handed_on(&method, &start.model), ..report }
     })
@@ -35,12 +44,14 @@ fn handed_on<M: Playable>(method: &StudiedMethod, model: &M) -> Vec<(&'static st
     taken.filter(|(_, taken)| *taken != method.name()).collect()
 }
 
-fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static str, Choice)> {
-    let choice = |mode: M::Mode| {
-        let nature = model.nature(mode);
-        by_need.choice(&nature, nature.longest_step.min(step))
-    };
-    model.modes().map(|(mode, name)| (name, choice(mode))).collect()
+fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(String, Choice)> {
+    let choice = |mode: M::Mode| chosen(by_need, &model.nature(mode), step);
+    model.modes().map(|(mode, name)| (name.to_owned(), choice(mode))).collect()
+}
+
+fn chosen(by_need: &ByNeed, nature: &Nature, step: f64) -> Choice {
+    let choice = by_need.choice(nature, nature.longest_step.min(step));
+    Choice { step: choice.step.min(step), ..choice }
 }
 
 struct Driving<'a, M: Playable> {
@@ -77,9 +88,13 @@ fn drive<M: Playable, T: Stepper>(
         closed_form: (0.0, 0),
         leap: None,
         files,
+        taken: Vec::new(),
     };
     let mut tally = RunTally::default();
     let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
+    if start.model.entry().input.is_empty() {
+        simulator = simulator.without_readout();
+    }
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
     for tick in 0..clock.ticks {
         let signal = TickSignal { clock, input, tick };
@@ -152,6 +167,22 @@ struct Follower<'a, M: Described> {
     /// Farthest move of a coordinate by an event whose guard the input jumped through.
     leap: Option<GuardLeap>,
     files: &'a mut OutputFiles,
+    /// Choice of `by-need` in each mode of the motion, where its step was shortest.
+    taken: Vec<(M::Mode, Choice)>,
+}
+
+impl<M: Described> Follower<'_, M> {
+    fn note_choice<S: Signal<Motion>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        let StudiedMethod::OneOfMany(Any::ByNeed(by_need)) = self.clock.method else { return };
+        let nature = model.nature(piece.mode);
+        let own = model.longest_step_at(piece.mode, &piece.start, &piece.inputs[0]);
+        let choice = chosen(&by_need, &nature.faster(nature.excess(own)), self.clock.step);
+        match self.taken.iter_mut().find(|it| it.0 == piece.mode) {
+            Some(known) if choice.step < known.1.step => known.1 = choice,
+            Some(_) => {}
+            None => self.taken.push((piece.mode, choice)),
+        }
+    }
 }
 
 impl<M: Described> Watch<M> for Follower<'_, M> {
@@ -161,6 +192,7 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
         for (x, input) in [(piece.start, start), (piece.end, end)] {
             self.scale.see(model, (piece.mode, x), input, self.audit.stored);
         }
+        self.note_choice(model, piece);
         let t = self.clock.time(piece.tick, piece.theta_end());
         self.last = (t, piece.mode, piece.end);
         let start = self.clock.time(piece.tick, piece.theta.0);
@@ -273,7 +305,11 @@ impl RunTally {
             capped: self.capped,
             t: *t,
             mode: mode_name(model, *mode),
-            choices: Vec::new(),
+            choices: follower
+                .taken
+                .iter()
+                .map(|(mode, choice)| (mode_name(model, *mode), *choice))
+                .collect(),
             handed_on: Vec::new(),
             moved: RunMoves {
                 projection: self.projection,

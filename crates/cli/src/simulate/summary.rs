@@ -26,8 +26,8 @@ pub(super) struct SimulationReport {
     /// Reached end (s).
     pub(super) t: f64,
     pub(super) mode: String,
-    /// Choice of `by-need` in each mode; empty with any other method.
-    pub(super) choices: Vec<(&'static str, Choice)>,
+    /// Choice of `by-need` in each mode, at its shortest step; empty with any other method.
+    pub(super) choices: Vec<(String, Choice)>,
     /// Modes that the method delegates, each with the name of the other method.
     pub(super) handed_on: Vec<(&'static str, &'static str)>,
     pub(super) moved: RunMoves,
@@ -332,13 +332,13 @@ fn list(capped: &[(&'static str, u64)]) -> String {
     counts.join(", ")
 }
 
-/// Returns the choice in a mode for a program; an error or a step without limit is null.
-fn choice_json((mode, choice): &(&'static str, Choice)) -> Value {
+/// Returns the choice in a mode for a program; an unknown error is null.
+fn choice_json((mode, choice): &(String, Choice)) -> Value {
     let Choice { method, step, error } = *choice;
     json!({ "mode": mode, "method": method.name(), "step": step, "error_per_radian": error })
 }
 
-fn choice_text((mode, choice): &(&'static str, Choice)) -> String {
+fn choice_text((mode, choice): &(String, Choice)) -> String {
     let Choice { method, step, error } = *choice;
     format!(
         "mode    {mode}: {}, steps up to {step:.2e} s, error {error:.0e} per radian\n",

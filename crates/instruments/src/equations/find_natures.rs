@@ -17,6 +17,9 @@ const ON_THE_WAY: u8 = 9;
 /// Lead of the input over the pose, as fractions of the whole travel: the finger presses.
 const AHEAD: [f64; 2] = [0.0, 0.1];
 
+/// Least rate of a mode (rad/s).
+const SLOWEST: f64 = 1e-100;
+
 type Pose<const N: usize> = ([f64; N], Motion);
 
 impl ModeNatures {
@@ -32,10 +35,12 @@ impl ModeNatures {
         });
         for (number, table) in (0..).zip(&model.table().modes) {
             let rates = Rates::of(model, ModeNumber(number), &poses);
+            // A contact's motion is a multiple of it, even in a mode without a rate.
+            let rate = rates.whole.max(SLOWEST);
             let nature = Nature {
                 kind: model.kind(table.kind, table.loss),
-                rate: rates.whole,
-                longest_step: RADIANS / rates.whole,
+                rate,
+                longest_step: RADIANS / rate,
                 longest_projection: table
                     .constraints
                     .longest_projection

@@ -173,6 +173,10 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     ) -> ([f64; N], [f64; K]) {
         let mut out = [[0.0; N]; 3];
         self.call(function, x, input, out.as_flattened_mut());
+        self.split(&out)
+    }
+
+    pub(crate) fn split<const K: usize>(&self, out: &[[f64; N]; 3]) -> ([f64; N], [f64; K]) {
         let count = self.table().states.len();
         let number = |i: usize| out.as_flattened().get(count + i).copied().unwrap_or(0.0);
         let numbers = core::array::from_fn(number);

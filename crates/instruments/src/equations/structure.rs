@@ -4,7 +4,7 @@ use core::array;
 
 use pode::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
-    FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts, WithContacts,
+    FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts, SlipKind, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::{
@@ -13,15 +13,20 @@ use pode::{
 };
 
 use crate::equations::mode_number::ModeNumber;
-use crate::equations::model::EquationModel;
+use crate::equations::model::{EquationModel, rates_of};
 use crate::equations::rows::add_rows;
-use crate::equations::table::{ContactModeTable, Equations, FunctionId};
+use crate::equations::table::{ContactModeTable, Equations, FunctionId, MAX_SWITCHES};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Returns the table of a contact in a mode; `None` if it cannot close there.
     #[inline]
     fn contact(&self, mode: ModeNumber, contact: usize) -> Option<&ContactModeTable> {
         self.mode_table(mode).contacts.iter().find(|it| usize::from(it.contact) == contact)
+    }
+
+    fn is_switch(&self, contact: usize) -> bool {
+        let friction = self.table().automata.contacts.get(contact).and_then(|it| it.friction);
+        friction.is_some_and(|it| it.kind == SlipKind::Condition)
     }
 
     /// Sums the balances of all closed contacts: readout, energy, supplied, dissipated.
@@ -49,11 +54,42 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     ) -> [f64; 2] {
         let one = |(contact, force): (usize, f64)| {
             let response = self.contact(mode, contact)?.response?;
-            let (_, effects) = self.state_and_numbers::<2>(response, x, input);
+            let (_, effects) = self.response_of(response, ContactSet::OPEN, x, input);
             Some(effects.map(|per| force * per))
         };
         let add = |sums: [f64; 2], more: [f64; 2]| array::from_fn(|i| sums[i] + more[i]);
         forces.iter().filter_map(one).fold([0.0; 2], add)
+    }
+
+    /// Returns a friction's contribution to the derivative; to the readout and to motors' power.
+    fn response_of(
+        &self,
+        response: FunctionId,
+        contacts: ContactSet,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> ([f64; N], [f64; 2]) {
+        let sides: [f64; MAX_SWITCHES] = array::from_fn(|it| contacts.state(it).slip_sign());
+        let mut out = [[0.0; N]; 3];
+        self.call_with(response, (x, &rates_of(input)), &sides, out.as_flattened_mut());
+        self.split(&out)
+    }
+
+    /// Returns a surface by its value, drift and gradient; zero without a function.
+    fn surface(
+        &self,
+        function: Option<FunctionId>,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Surface<[f64; N]> {
+        let mut out = [[0.0; N]; 3];
+        if let Some(function) = function {
+            self.call(function, x, input, out.as_flattened_mut());
+        }
+        let (flat, count) = (out.as_flattened(), self.table().states.len());
+        let at = |index: usize| flat.get(index).copied().unwrap_or(0.0);
+        let gradient = array::from_fn(|i| if i < count { at(2 + i) } else { 0.0 });
+        Surface { value: at(0), drift: at(1), gradient }
     }
 
     fn contact_values<const K: usize>(
@@ -99,7 +135,9 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         x: &[f64; N],
         input: &Motion,
     ) -> [f64; N] {
-        let mut rates = Model::derivative(self, mode, x, input);
+        let table = self.mode_table(mode);
+        let mut rates = [0.0; N];
+        self.call(table.averaged.unwrap_or(table.derivative), x, input, &mut rates);
         for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
             self.add_normal(contact.normal, x, input, &mut rates);
         }
@@ -137,14 +175,26 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         Some(all)
     }
 
-    /// A closed contact's rate depends on the state, so the longest step handles it.
+    /// A closed contact's rate depends on the state, so the longest step handles it. Contacts and
+    /// switches that leave the Jacobian constant may add forces of the input.
     fn nature(&self, mode: ModeNumber, contacts: ContactSet) -> Nature {
         let nature = self.natures().nature(mode);
         if contacts.closed().is_empty() {
-            nature
-        } else {
-            Nature { kind: EquationKind::Smooth, ..nature }
+            return nature;
         }
+        let is_linear = |contact| self.contact(mode, contact).is_none_or(|it| it.is_linear);
+        let sticks = |contact| FrictionalContacts::acts(self, mode, contact);
+        let stays = contacts.closed().into_iter().all(is_linear)
+            && !contacts.sticking().into_iter().any(sticks);
+        let kind = match nature.kind {
+            EquationKind::Affine | EquationKind::Linear if stays => EquationKind::Linear,
+            EquationKind::Affine
+            | EquationKind::Linear
+            | EquationKind::Smooth
+            | EquationKind::Conservative
+            | EquationKind::Stiff => EquationKind::Smooth,
+        };
+        Nature { kind, ..nature }
     }
 }
 
@@ -158,19 +208,35 @@ impl<F: Equations + Clone, const N: usize, const C: usize> FrictionalContacts
         x: &[f64; N],
         input: &Motion,
     ) -> Surface<[f64; N]> {
-        let mut out = [[0.0; N]; 3];
-        if let Some(slip) = self.contact(mode, contact).and_then(|contact| contact.slip) {
-            self.call(slip, x, input, out.as_flattened_mut());
-        }
-        let (flat, count) = (out.as_flattened(), self.table().states.len());
-        let at = |index: usize| flat.get(index).copied().unwrap_or(0.0);
-        let gradient = array::from_fn(|i| if i < count { at(2 + i) } else { 0.0 });
-        Surface { value: at(0), drift: at(1), gradient }
+        let slip = self.contact(mode, contact).and_then(|contact| contact.slip);
+        self.surface(slip, x, input)
     }
 
-    fn response(&self, mode: ModeNumber, contact: usize, x: &[f64; N], input: &Motion) -> [f64; N] {
+    fn acts(&self, mode: ModeNumber, contact: usize) -> bool {
+        !self.is_switch(contact) || self.contact(mode, contact).is_some()
+    }
+
+    fn kept(
+        &self,
+        mode: ModeNumber,
+        contact: usize,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<Surface<[f64; N]>> {
+        let kept = self.contact(mode, contact).and_then(|contact| contact.kept)?;
+        Some(self.surface(Some(kept), x, input))
+    }
+
+    fn response_among(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        contact: usize,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> [f64; N] {
         let response = self.contact(mode, contact).and_then(|contact| contact.response);
-        response.map_or([0.0; N], |response| self.state_and_numbers::<2>(response, x, input).0)
+        response.map_or([0.0; N], |response| self.response_of(response, contacts, x, input).0)
     }
 
     fn friction(
@@ -238,7 +304,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
         input: &Motion,
     ) -> f64 {
         let closed = contacts.closed();
-        if closed.is_empty() {
+        if closed.iter().all(|contact| self.is_switch(contact)) {
             return Guarded::longest_step_at(self, mode, x, input);
         }
         let jacobian = |x: &[f64; N]| {

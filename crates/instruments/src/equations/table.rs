@@ -182,6 +182,8 @@ pub struct ModeTable {
     pub name: &'static str,
     /// Computes the derivative of the whole state, without contacts.
     pub derivative: FunctionId,
+    /// Computes the derivative between the sides of all switches; `None` without any.
+    pub averaged: Option<FunctionId>,
     /// Entries that move by equations; empty in a mode without degrees of freedom.
     pub parts: Vec<PartTable>,
     /// The same parts without their own natures.
@@ -240,6 +242,7 @@ impl ModeTable {
     pub const NOTHING: Self = Self {
         name: "",
         derivative: Self::NO_FUNCTION,
+        averaged: None,
         parts: Vec::new(),
         part_list: Vec::new(),
         constraints: ConstraintTable {
@@ -358,6 +361,9 @@ pub struct RestingTable {
     pub meeting: FunctionId,
 }
 
+/// First number among the contacts that no switch has.
+pub const MAX_SWITCHES: usize = 24;
+
 /// A contact or bearing.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ContactTable {
@@ -388,8 +394,14 @@ pub struct ContactModeTable {
     pub slip_bound: Option<FunctionId>,
     /// Computes stiction and kinetic friction.
     pub limits: Option<FunctionId>,
-    /// Computes the contribution of 1 N of friction to the derivative, then to the readout.
+    /// Computes the contribution of 1 N of friction to the derivative, then to the readout, from the
+    /// sides of switches (1 or −1, 0 while they stick) in `extra`, by their numbers.
     pub response: Option<FunctionId>,
+    /// Computes, as `slip`, what a stick keeps at zero where its force does not change the slip's
+    /// rate; `None` if that is the slip itself.
+    pub kept: Option<FunctionId>,
+    /// `true` if it leaves the Jacobian constant while it is closed, or a switch on one side.
+    pub is_linear: bool,
     /// Computes its part of the readout's slopes; `None` if its friction is felt at the input.
     pub slopes: Option<FunctionId>,
     /// Computes the speed of the strike when it closes (m/s), 0 when it opens.

@@ -11,6 +11,7 @@
 
 pub use instruments::equations::table::{Material, Reading};
 pub use pode::Fires;
+pub use pode::contacts::SlipKind;
 
 use instruments::equations::table::MidiTable;
 
@@ -190,6 +191,8 @@ pub struct DryFriction {
     pub kinetic: Node,
     /// Typical sizes of force and slip.
     pub scales: (f64, f64),
+    /// Whether the slip is a speed, or the condition of a switch.
+    pub kind: SlipKind,
 }
 
 /// A condition on the motion.

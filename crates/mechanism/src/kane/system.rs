@@ -23,6 +23,8 @@ pub struct EquationSystem {
 pub struct ModeEquations {
     /// Derivative without contacts. An entry that the mode slaves has the rate of its master.
     pub derivative: Vec<Node>,
+    /// Derivative between both sides of all switches among the contacts; empty without any.
+    pub averaged: Vec<Node>,
     /// Entries as the mode sets them; the entry itself where it moves by equations.
     pub slaved: Vec<Node>,
     /// `true` for entries that move by equations.
@@ -81,6 +83,8 @@ pub struct FrictionEquations {
     pub response: ForceResponse,
     pub stiction: Node,
     pub kinetic: Node,
+    /// As slip, drift and gradient: what a stick keeps at zero instead, of a switch.
+    pub kept: Option<Vec<Node>>,
 }
 
 /// Guard in one mode.

@@ -1,4 +1,4 @@
-use mechanism::kane::mechanism::{DryFriction, Force, MechanismContact};
+use mechanism::kane::mechanism::{DryFriction, Force, MechanismContact, SlipKind};
 
 use crate::kane::builder::MechanismBuilder;
 use crate::kane::evaluation::{Derived, Numbers, close};
@@ -26,8 +26,8 @@ fn with_contact() -> Derived {
     let (stretch, stretch_rate) = (m.graph().negate(gap), m.graph().negate(gap_rate));
     let force = Force { name: "tip".into(), stretch, stretch_rate, tension, energy };
     let (slip, stiction, kinetic) = (m.e("slip"), m.e("2"), m.e("1"));
-    let friction =
-        DryFriction { name: "floor".into(), slip, stiction, kinetic, scales: (1.0, 1.0) };
+    let (name, kind) = ("floor".into(), SlipKind::Speed);
+    let friction = DryFriction { name, slip, stiction, kinetic, scales: (1.0, 1.0), kind };
     m.it.contacts.push(MechanismContact {
         name: "tip".into(),
         gap: Some(gap),

@@ -34,5 +34,6 @@ mod shipped;
 mod sounding;
 mod stated;
 mod stroke;
+mod switches;
 mod touching;
 mod work;

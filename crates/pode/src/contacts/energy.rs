@@ -1,6 +1,8 @@
 //! Sources and sinks of the energy of a mechanism with contacts.
 
-use crate::contacts::{ContactIndices, ContactMode, FrictionForces, GuardedContacts, WithContacts};
+use crate::contacts::{
+    ContactIndices, ContactMode, FrictionForces, GuardedContacts, SlipKind, WithContacts,
+};
 use crate::{Energetic, EnergyBalance};
 
 /// A mechanism that can account for its energy; friction's losses are computed for it.
@@ -42,8 +44,13 @@ impl<M: EnergeticContacts> Energetic for WithContacts<M> {
         let (structure, system) = (mode.structure, self.system());
         let forces = self.friction_forces(mode, x, input);
         let of_system = system.balance(structure, mode.contacts.closed(), &forces, x, input);
+        let takes_power = |contact: usize| {
+            let spec = system.contacts().get(contact).and_then(|it| it.friction);
+            spec.is_some_and(|it| it.kind == SlipKind::Speed)
+        };
         let friction: f64 = forces
             .iter()
+            .filter(|(contact, _)| takes_power(*contact))
             .map(|(contact, force)| -force * system.slip(structure, contact, x, input).value)
             .sum();
         EnergyBalance { dissipated: friction + of_system.dissipated, ..of_system }

@@ -5,6 +5,9 @@ use crate::contacts::{ContactState, FrictionSpec, GuardedContacts};
 use crate::filippov::Surface;
 use crate::{GuardSpec, GuardValue};
 
+/// Largest time (in moments) between two crossings that are no longer followed.
+pub(super) const SOON: f64 = 32.0;
+
 pub(super) const UNIT: GuardSpec = GuardSpec::new(0, "");
 
 pub(super) struct Friction<'a, M: GuardedContacts> {
@@ -53,7 +56,7 @@ impl<M: GuardedContacts> Friction<'_, M> {
             return GuardValue::new(-slip.value.abs() / self.spec.slip, 0.0);
         }
         let motion = self.point.motion();
-        if self.moves(&slip, &motion).is_some() {
+        if self.moves(&self.point.kept(self.contact), &motion).is_some() {
             return GuardValue::new(-1.0, 0.0);
         }
         let value = self.margin_with(&self.point, motion.forces.at(self.contact));
@@ -99,6 +102,23 @@ impl<M: GuardedContacts> Friction<'_, M> {
         GuardValue::new(value, rate)
     }
 
+    /// Returns the side on which a state at slip zero goes on, if the force does not change the
+    /// slip's rate; `None` if it does, or if both sides drive the state back within `soon` moments.
+    pub(super) fn crosses(&self, soon: f64) -> Option<ContactState> {
+        let ContactPoint { system, mode, x, input } = self.point;
+        let kept = system.kept(mode.structure, self.contact, x, input)?;
+        let mode = mode.with(self.contact, ContactState::Closed);
+        let free = ContactPoint { system, mode, x, input };
+        let flow = free.motion().flow;
+        let rate = free.slip(self.contact).rate(&flow);
+        let push = kept.rate(&flow);
+        let back = kept.slope(&free.response(self.contact)) - push.abs();
+        if 2.0 * rate.abs() <= soon * M::MOMENT * back {
+            return None;
+        }
+        Some(ContactState::slide(if rate.abs() > 0.0 { rate } else { push }))
+    }
+
     /// Returns `true` if the holding force is within its limit, and not about to leave it.
     fn holds(&self) -> bool {
         /// Relative time: a force at its limit sooner does not hold.
@@ -111,7 +131,7 @@ impl<M: GuardedContacts> Friction<'_, M> {
     /// Returns the slip's direction if let go: its acceleration's, or against the holding force.
     pub(super) fn slip_direction(&self) -> ContactState {
         let motion = self.point.motion();
-        let left = self.moves(&self.point.slip(self.contact), &motion);
+        let left = self.moves(&self.point.kept(self.contact), &motion);
         ContactState::slide(left.unwrap_or_else(|| -motion.forces.at(self.contact)))
     }
 }

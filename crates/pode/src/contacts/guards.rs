@@ -86,6 +86,7 @@ impl<M: GuardedContacts> Guarded for WithContacts<M> {
             ContactGuard::Gap(_) => true,
             ContactGuard::Friction(contact) => {
                 !matches!(mode.contacts.state(contact), ContactState::Open | ContactState::Closed)
+                    && self.system.acts(mode.structure, contact)
             }
             ContactGuard::Structure(guard) => self.system.is_watched(mode.structure, guard),
         }

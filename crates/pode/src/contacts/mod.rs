@@ -61,6 +61,15 @@
 //! [`Surface`](crate::filippov::Surface). Here many surfaces coexist, with further guards; there
 //! the two sides may be any equations, and a surface may repel.
 //!
+//! # Switches
+//!
+//! A branch of the equations by the sign of a condition c(x, u) is a bearing as well
+//! ([`FrictionSpec::switch`]): the slip is c, the derivative ½ (f₋ + f₊), the response ½ (f₋ − f₊),
+//! and both limits are 1. It takes no power. Where f₊ − f₋ does not change c', as of a force that
+//! sets in at a place, [`FrictionalContacts::kept`] is c' with its derivatives: a stick keeps
+//! c' = 0 there. It begins where both sides drive the state back to c = 0 within 32
+//! [`FrictionalContacts::MOMENT`], so that a key that rests on a step does not chatter.
+//!
 //! # What is not here
 //!
 //! Rigid contacts are not automata: they are guards and reset maps of the structure, with impulses
@@ -90,7 +99,7 @@ pub use energy::EnergeticContacts;
 pub use forces::FrictionForces;
 pub use guards::TooManyGuards;
 pub use set::{ContactIndices, ContactSet, ContactState, IndexIter, MAX_CONTACTS};
-pub use spec::{ContactGuard, ContactSpec, FrictionSpec, MAX_FRICTIONS};
+pub use spec::{ContactGuard, ContactSpec, FrictionSpec, MAX_FRICTIONS, SlipKind};
 pub use system::{ContactSystem, FrictionLimits, FrictionalContacts, GuardedContacts};
 
 use guards::GuardList;

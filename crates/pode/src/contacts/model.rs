@@ -39,12 +39,11 @@ impl<M: GuardedContacts> WithContacts<M> {
         let (mut held, mut moves) = (mode.contacts, false);
         for contact in mode.contacts.sticking() {
             let Some(friction) = self.friction(mode, contact, x, input) else { continue };
-            let slip = point.slip(contact).value.abs();
             // A contact torn off by the input is left to the guard.
-            if slip > friction.spec.slack {
+            if point.slip(contact).value.abs() > friction.spec.slack {
                 held = held.with(contact, ContactState::Closed);
             }
-            moves |= slip > friction.spec.rounding();
+            moves |= point.kept(contact).value.abs() > friction.spec.rounding();
         }
         let held = held.sticking();
         if moves && !held.is_empty() { point.without_slip(held) } else { *x }

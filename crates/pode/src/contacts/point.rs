@@ -38,8 +38,15 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         self.system.slip(self.mode.structure, contact, self.x, self.input)
     }
 
+    /// Returns what a stick keeps at zero: the slip speed, or a rate that its force does change.
+    pub(super) fn kept(&self, contact: usize) -> Surface<M::State> {
+        let kept = self.system.kept(self.mode.structure, contact, self.x, self.input);
+        kept.unwrap_or_else(|| self.slip(contact))
+    }
+
     pub(super) fn response(&self, contact: usize) -> M::State {
-        self.system.response(self.mode.structure, contact, self.x, self.input)
+        let ContactMode { structure, contacts } = self.mode;
+        self.system.response_among(structure, contacts, contact, self.x, self.input)
     }
 
     pub(super) fn limits(&self, contact: usize) -> FrictionLimits {
@@ -90,7 +97,7 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         let mut responses = [M::State::ZERO; MAX_FRICTIONS];
         let mut mobility = [[0.0; MAX_FRICTIONS]; MAX_FRICTIONS];
         for (index, contact) in contacts.iter().enumerate().take(MAX_FRICTIONS) {
-            (slips[index], responses[index]) = (self.slip(contact), self.response(contact));
+            (slips[index], responses[index]) = (self.kept(contact), self.response(contact));
             for other in 0..=index {
                 let entry = slips[index].slope(&responses[other]);
                 (mobility[index][other], mobility[other][index]) = (entry, entry);

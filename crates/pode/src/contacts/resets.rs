@@ -1,5 +1,6 @@
 //! The mode in which a state starts, and resets: a contact, a friction or the structure changes.
 
+use crate::contacts::grip::SOON;
 use crate::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactState, GuardedContacts,
     WithContacts,
@@ -52,6 +53,10 @@ impl<M: GuardedContacts> WithContacts<M> {
         for contact in 0..self.system.contacts().len() {
             mode = mode.with(contact, self.first_state(structure, contact, x, input));
         }
+        for contact in mode.contacts.sticking() {
+            let crossing = self.friction(mode, contact, x, input).and_then(|it| it.crosses(SOON));
+            mode = crossing.map_or(mode, |state| mode.with(contact, state));
+        }
         let x = self.constrain(mode, x, input);
         (self.decided(mode, mode.contacts.sticking(), &x, input), x)
     }
@@ -88,7 +93,15 @@ impl<M: GuardedContacts> WithContacts<M> {
             return Reset::to(mode.with(contact, ContactState::slide(slip)), *x);
         }
         // A stick at its limit lets go first; all others may stick.
-        let held = mode.contacts.state(contact) == ContactState::Stick;
+        let before = mode.contacts.state(contact);
+        let held = before == ContactState::Stick;
+        // A method that cannot follow the way back comes again at once.
+        let crossing = friction.crosses(SOON).and_then(|state| {
+            if state == before { friction.crosses(f64::INFINITY) } else { Some(state) }
+        });
+        if let (false, Some(state)) = (held, crossing) {
+            return Reset::to(mode.with(contact, state), *x);
+        }
         let first = if held { friction.slip_direction() } else { ContactState::Stick };
         let stopped = self.stopped_with(mode, contact, x, input);
         let resting = stopped.contacts.sticking();
@@ -107,7 +120,8 @@ impl<M: GuardedContacts> WithContacts<M> {
         let mut stopped = mode.with(contact, ContactState::Stick);
         for other in mode.contacts.sliding() {
             let Some(friction) = self.friction(mode, other, x, input) else { continue };
-            if friction.point.slip(other).value.abs() <= friction.spec.same() {
+            let is_zero = friction.point.slip(other).value.abs() <= friction.spec.same();
+            if is_zero && friction.crosses(SOON).is_none() {
                 stopped = stopped.with(other, ContactState::Stick);
             }
         }
@@ -147,7 +161,7 @@ impl<M: GuardedContacts> WithContacts<M> {
         let mut after = mode;
         for contact in mode.contacts.sticking() {
             let Some(friction) = self.friction(mode, contact, x, input) else { continue };
-            let slip = point.slip(contact).value;
+            let slip = point.kept(contact).value;
             if slip.abs() > friction.spec.same() {
                 after = after.with(contact, ContactState::slide(slip));
             }

@@ -40,7 +40,8 @@ fn factor(w: &Mobility, n: usize) -> Factor {
     let mut is_free = [true; MAX_FRICTIONS];
     for k in 0..n {
         // The pivot with the largest fraction of its own entry left, in any units.
-        let part = |i: usize| rest[i] / w[i][i];
+        // A force that pushes away from zero cannot hold.
+        let part = |i: usize| if w[i][i] > 0.0 { rest[i] / w[i][i] } else { 0.0 };
         let best = (0..n).filter(|i| is_free[*i] && part(*i) > DEPENDENT);
         let Some(pivot) = best.max_by(|i, j| part(*i).total_cmp(&part(*j))) else { break };
         is_free[pivot] = false;

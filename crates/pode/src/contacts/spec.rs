@@ -42,12 +42,27 @@ pub struct FrictionSpec {
     /// Largest jump of the slip speed, where the input jumps, that does not end a stick (m/s). An
     /// input built from samples jumps a little at each tick: declare its largest jump.
     pub slack: f64,
+    pub kind: SlipKind,
+}
+
+/// Meaning of a slip.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SlipKind {
+    /// A speed, from which the force takes power.
+    Speed,
+    /// The condition of a branch in the equations: the force is minus its sign, without power.
+    Condition,
 }
 
 impl FrictionSpec {
     /// Builds a friction of sizes `force` (N) and `slip` (m/s); it follows jumps up to `slip`/64.
     pub const fn new(name: &'static str, force: f64, slip: f64) -> Self {
-        Self { name, force, slip, slack: slip / 64.0 }
+        Self { name, force, slip, slack: slip / 64.0, kind: SlipKind::Speed }
+    }
+
+    /// Builds a switch between two sets of equations by the sign of a condition of size `slip`.
+    pub const fn switch(name: &'static str, slip: f64) -> Self {
+        Self { kind: SlipKind::Condition, ..Self::new(name, 1.0, slip) }
     }
 
     /// Returns the friction with another largest jump that a stick follows (m/s).

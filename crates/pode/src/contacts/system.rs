@@ -110,6 +110,22 @@ pub trait FrictionalContacts: ContactSystem {
         Surface { value: 0.0, gradient: Self::State::ZERO, drift: 0.0 }
     }
 
+    /// Returns `false` where a friction does not exist in `structure`, so that nothing ends it.
+    fn acts(&self, _structure: Self::Structure, _contact: usize) -> bool {
+        true
+    }
+
+    /// Returns what a stick keeps at zero if the response does not change the slip's rate: that rate.
+    fn kept(
+        &self,
+        _structure: Self::Structure,
+        _contact: usize,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> Option<Surface<Self::State>> {
+        None
+    }
+
     /// Returns what a friction force of 1 N in the direction of positive slip adds to the
     /// derivative: a matter of `x` alone, since friction enters linearly. Force times slip is a
     /// power, so that the forces act by a symmetric matrix.
@@ -121,6 +137,19 @@ pub trait FrictionalContacts: ContactSystem {
         _input: &Self::Input,
     ) -> Self::State {
         Self::State::ZERO
+    }
+
+    /// Returns the response where other contacts have the states `contacts`: of a switch, whose sides
+    /// may depend on those of other switches.
+    fn response_among(
+        &self,
+        structure: Self::Structure,
+        _contacts: ContactSet,
+        contact: usize,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> Self::State {
+        self.response(structure, contact, x, input)
     }
 
     /// Returns the largest friction forces (N), not negative; kinetic may depend on the slip.

@@ -108,6 +108,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             signal: run.signal,
             theta: (run.theta, run.theta + time / run.h),
             input: run.input(),
+            excess: 1.0,
             h: time,
             rest: time,
         };

@@ -219,6 +219,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             signal: run.signal,
             theta: (run.theta, taken.theta_end),
             input: run.input(),
+            excess: 1.0,
             h: taken.h,
             rest: taken.h,
         };

@@ -23,10 +23,12 @@ pub(super) struct ModeField<'a, M: Model, S> {
     last: (f64, M::Input),
     derivatives: u32,
     jacobians: u32,
+    excess: f64,
 }
 
 impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
-    /// Builds the equations of a part of `mode` between two θ, with the `input` at the first.
+    /// Builds the equations of a part of `mode` between two θ, with the `input` at the first, in a
+    /// motion that is `excess` times as fast as the mode's rate.
     #[inline]
     pub(super) const fn new(
         model: &'a M,
@@ -34,9 +36,10 @@ impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
         signal: &'a S,
         theta: (f64, f64),
         input: M::Input,
+        excess: f64,
     ) -> Self {
         let last = (0.0, input);
-        Self { model, mode, part, index, signal, theta, last, derivatives: 0, jacobians: 0 }
+        Self { model, mode, part, index, signal, theta, last, derivatives: 0, jacobians: 0, excess }
     }
 
     #[inline]
@@ -110,7 +113,7 @@ impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
 
     #[inline]
     fn nature(&self) -> Nature {
-        self.part.nature(self.model.nature(self.mode))
+        self.part.nature(self.model.nature(self.mode)).faster(self.excess)
     }
 
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]

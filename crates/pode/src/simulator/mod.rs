@@ -262,7 +262,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if T::IS_EXPANDED {
             self.prepare(run, input);
         }
-        let theta_end = self.step_end(run, input);
+        let (theta_end, excess) = self.step_end(run, input);
         let h = (theta_end - run.theta) * run.h;
         let mode_step = ModeStep {
             model: &self.model,
@@ -271,6 +271,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             signal: run.signal,
             theta: (run.theta, theta_end),
             input: *input,
+            excess,
             h,
             rest: run.rest(),
         };
@@ -299,6 +300,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             signal: run.signal,
             theta: (run.theta, run.theta + scale / run.h),
             input: *input,
+            excess: 1.0,
             h: scale,
             rest: scale,
         };

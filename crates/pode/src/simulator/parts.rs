@@ -85,6 +85,8 @@ pub(super) struct ModeStep<'a, M: Model, T: Stepper, S> {
     pub(super) signal: &'a S,
     pub(super) theta: (f64, f64),
     pub(super) input: M::Input,
+    /// How many times faster the motion is than the mode's rate.
+    pub(super) excess: f64,
     /// Length of the step, and of the rest of the tick from its begin (s).
     pub(super) h: f64,
     pub(super) rest: f64,
@@ -109,7 +111,8 @@ fn together<S: State, D: Dense<S>>(
 impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
     fn field(&self, (index, part): (usize, Part), end: f64) -> ModeField<'_, M, S> {
         let theta = (self.theta.0, end);
-        ModeField::new(self.model, (self.mode, index, part), self.signal, theta, self.input)
+        let mode = (self.mode, index, part);
+        ModeField::new(self.model, mode, self.signal, theta, self.input, self.excess)
     }
 
     /// Returns the mode's only part, or several as one; `None` if stepped apart or nothing moves.

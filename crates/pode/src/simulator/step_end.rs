@@ -5,18 +5,26 @@ use super::parts::PartMemory;
 use crate::epoch::Stand;
 use crate::math;
 use crate::model::Resets;
+use crate::nature::Nature;
 use crate::run::TickRun;
 use crate::stepper::Stepper;
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
+    /// Returns the end of the next step (θ), and the excess of the present rate over the mode's.
     #[inline]
-    pub(super) fn step_end<S, W>(&self, run: &mut TickRun<'_, S, W>, input: &M::Input) -> f64 {
-        let end = self.line(run, input);
+    pub(super) fn step_end<S, W>(
+        &self,
+        run: &mut TickRun<'_, S, W>,
+        input: &M::Input,
+    ) -> (f64, f64) {
+        let own = self.model.longest_step_at(self.mode, &self.state, input);
+        let nature = self.model.nature(self.mode);
+        let excess = nature.excess(own);
+        let nature = nature.faster(excess);
+        let end = self.line(run, (own, &nature));
         // A dense output as good as the end leaves nothing to gain.
-        let may_aim = run.limits.forecast
-            && !run.has_aimed
-            && self.stepper.aims(&self.model.nature(self.mode));
-        if may_aim { self.aimed(run, end) } else { end }
+        let may_aim = run.limits.forecast && !run.has_aimed && self.stepper.aims(&nature);
+        (if may_aim { self.aimed(run, end) } else { end }, excess)
     }
 
     /// Returns a place just behind the first event predicted before `end`, otherwise `end`.
@@ -40,15 +48,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Returns the next line of the mode's grid, limited by the method's reach.
     #[inline]
-    fn line<S, W>(&self, run: &TickRun<'_, S, W>, input: &M::Input) -> f64 {
+    fn line<S, W>(&self, run: &TickRun<'_, S, W>, (own, nature): (f64, &Nature)) -> f64 {
         /// A rest shorter than this fraction of a step joins the next one.
         const CRUMB: f64 = 1e-9;
         const MOST_LINES: f64 = 1e12;
-        let own = run.limits.stretch * self.model.longest_step_at(self.mode, &self.state, input);
-        let longest = self
-            .stepper
-            .longest_step(&self.model.nature(self.mode), own)
-            .min(run.limits.longest_step);
+        let longest = self.stepper.longest_step(nature, run.limits.stretch * own);
+        let longest = longest.min(run.limits.longest_step);
         // An invalid length requests more pieces than there are.
         let longest = if longest > 0.0 { longest } else { 0.0 };
         let reach = self.memory.iter().map(PartMemory::reach).fold(f64::INFINITY, f64::min) / run.h;

@@ -5,7 +5,7 @@ use alloc::sync::Arc;
 use crate::equations::{EquationModel, ModeNumber};
 use pode::contacts::{
     ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, MAX_CONTACTS,
-    WithContacts,
+    SlipKind, WithContacts,
 };
 use pode::{GuardId, Motion};
 
@@ -93,7 +93,7 @@ impl<const N: usize, const C: usize> Described
         Described::unmet(self.system(), report);
     }
 
-    /// Closes contacts that overlap at rest; those with friction stick.
+    /// Closes contacts that overlap at rest; those with friction stick, switches have their side.
     fn at_rest(&self, input: &Motion) -> (ContactMode<ModeNumber>, [f64; N]) {
         let system = self.system();
         let (structure, x) = system.at_rest(input);
@@ -102,6 +102,9 @@ impl<const N: usize, const C: usize> Described
             let is_apart = system.gap(structure, number, &x, input).value >= 0.0;
             let state = match (contact.gap, contact.friction) {
                 (Some(_), _) if is_apart => ContactState::Open,
+                (_, Some(it)) if it.kind == SlipKind::Condition => {
+                    self.start(structure, &x, input).0.contacts.state(number)
+                }
                 (_, Some(_)) => ContactState::Stick,
                 (_, None) => ContactState::Closed,
             };

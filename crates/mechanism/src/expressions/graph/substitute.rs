@@ -14,6 +14,11 @@ impl Substitution {
         Self { by: by.into_iter().collect(), known: HashMap::new() }
     }
 
+    /// Replaces also `node`, which is not a symbol, by `by`.
+    pub fn set(&mut self, node: Node, by: Node) {
+        self.known.insert(node, by);
+    }
+
     /// Returns `node` with the symbols replaced; their replacements are not searched again.
     pub fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
         if let Some(known) = self.known.get(&node) {

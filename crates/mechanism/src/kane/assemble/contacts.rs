@@ -1,11 +1,12 @@
 //! What contacts and bearings do in one mode.
 
 use instruments::equations::table::{ContactModeTable, ContactTable, FunctionId};
-use pode::contacts::{ContactSpec, FrictionSpec};
+use pode::contacts::{ContactSpec, FrictionSpec, SlipKind};
 
 use super::builder::ModeBuilder;
 use super::functions::FunctionList;
-use super::{AssemblyError, guards, names};
+use super::kinds::is_linear_in_state;
+use super::{AssemblyError, guards, names, switches};
 use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::Mechanism;
 use crate::kane::system::{ContactEquations, FrictionEquations};
@@ -13,16 +14,13 @@ use crate::kane::system::{ContactEquations, FrictionEquations};
 pub(super) fn specs(mechanism: &Mechanism) -> (Vec<ContactTable>, Vec<ContactSpec>) {
     let one = |contact: &crate::kane::mechanism::MechanismContact| {
         let gap = contact.gap.map(|_| contact.scale);
-        let friction = contact
-            .friction
-            .as_ref()
-            .map(|friction| (names::name(&friction.name), friction.scales.0, friction.scales.1));
+        let friction = contact.friction.as_ref().map(|friction| FrictionSpec {
+            kind: friction.kind,
+            ..FrictionSpec::new(names::name(&friction.name), friction.scales.0, friction.scales.1)
+        });
         let name = names::name(&contact.name);
-        let spec = ContactSpec {
-            name,
-            gap,
-            friction: friction.map(|(name, force, slip)| FrictionSpec::new(name, force, slip)),
-        };
+        let spec = ContactSpec { name, gap, friction };
+        let friction = friction.map(|it| (it.name, it.force, it.slip));
         (ContactTable { name, gap, friction }, spec)
     };
     mechanism.contacts.iter().map(one).unzip()
@@ -57,6 +55,8 @@ fn contact(
         balance: None,
         slip: None,
         limits: None,
+        kept: None,
+        is_linear: false,
         response: None,
         slip_bound: None,
         slopes: None,
@@ -78,11 +78,45 @@ fn contact(
     if let Some(friction) = &contact.friction {
         self::friction(graph, functions, builder, (name, friction), &mut table)?;
     }
+    table.is_linear |= is_linear_switch(graph, builder, contact);
     let felt = contact.friction.as_ref().and_then(|friction| friction.response.readout);
     if felt.is_none_or(|readout| graph.is_zero(readout)) {
         table.slopes = Some(slopes(graph, functions, builder, (name, contact))?);
     }
     Ok(table)
+}
+
+/// What the closed contact adds to the derivative, and whether its Jacobian is constant; it is then
+/// also meant beyond the contact's end.
+fn added(
+    graph: &mut Graph,
+    builder: &ModeBuilder<'_>,
+    contact: &ContactEquations,
+) -> (Vec<Node>, bool) {
+    let zero = graph.constant(0.0);
+    let force = contact.normal.map_or(zero, |normal| normal[0]);
+    let mut added: Vec<_> =
+        contact.normal_response.derivative.iter().map(|per| graph.multiply(*per, force)).collect();
+    added.resize(builder.context.places.len(), zero);
+    let Some([gap, _]) = contact.gap else { return (added, false) };
+    let [_, closed] = switches::sides(graph, &added, gap);
+    let is_linear =
+        contact.friction.is_none() && is_linear_in_state(graph, &builder.state, &closed);
+    (if is_linear { closed } else { added }, is_linear)
+}
+
+/// Whether a switch leaves the Jacobian constant on each side.
+fn is_linear_switch(
+    graph: &mut Graph,
+    builder: &ModeBuilder<'_>,
+    contact: &ContactEquations,
+) -> bool {
+    let of_mechanism = builder.context.mechanism.contacts.get(contact.contact);
+    let is_switch = of_mechanism
+        .and_then(|it| it.friction.as_ref())
+        .is_some_and(|it| it.kind == SlipKind::Condition);
+    let friction = contact.friction.as_ref().filter(|_| is_switch);
+    friction.is_some_and(|it| is_linear_in_state(graph, &builder.state, &it.response.derivative))
 }
 
 fn slopes(
@@ -107,12 +141,11 @@ fn normal(
     ([force, energy, taken], table): ([Node; 3], &mut ContactModeTable),
 ) -> Result<(), AssemblyError> {
     let zero = graph.constant(0.0);
-    let response = &contact.normal_response;
-    let mut added: Vec<_> =
-        response.derivative.iter().map(|per| graph.multiply(*per, force)).collect();
-    added.resize(builder.context.places.len(), zero);
+    let (added, is_linear) = added(graph, builder, contact);
+    table.is_linear = is_linear;
     let rows = builder.state.jacobian(graph, &added);
     let rows: Vec<_> = rows.into_iter().flatten().collect();
+    let response = &contact.normal_response;
     let [readout, motor] =
         [response.readout, response.motor].map(|per| graph.multiply(per.unwrap_or(zero), force));
     let rate = graph.symbol(Place::Input(1));
@@ -137,6 +170,9 @@ fn friction(
     let (readout, motor) = (per.readout.unwrap_or(zero), per.motor.unwrap_or(zero));
     let response = [per.derivative.as_slice(), &[readout, motor]].concat();
     let limits = [friction.stiction, friction.kinetic];
+    if let Some(kept) = &friction.kept {
+        table.kept = Some(builder.add(graph, functions, &format!("{name}_kept"), kept)?);
+    }
     table.slip = Some(builder.add(graph, functions, &format!("{name}_slip"), &slip)?);
     let bound = guards::bound(graph, functions, builder, (&format!("{name}_slip"), friction.slip))?;
     table.slip_bound = Some(bound);

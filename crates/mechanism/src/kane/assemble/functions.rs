@@ -84,7 +84,8 @@ impl FunctionList {
                 layout.place(Place::Extra(number), Argument::Extra(number));
             }
         }
-        for number in [EnclosureLayout::step(), EnclosureLayout::input_start()] {
+        let sides = 0..instruments::equations::table::MAX_SWITCHES;
+        for number in sides.chain([EnclosureLayout::step(), EnclosureLayout::input_start()]) {
             let number = u16::try_from(number).unwrap_or(u16::MAX);
             layout.place(Place::Extra(number), Argument::Extra(number));
         }

@@ -5,6 +5,7 @@ use pode::EquationKind;
 
 use super::AssemblyError;
 use super::functions::FunctionList;
+use super::jacobian::StateOfMode;
 use super::moving::Moving;
 use crate::kane::graph::{
     BinaryFunction, Graph, Node, NodeOperation, Place, Substitution, UnaryFunction,
@@ -16,6 +17,17 @@ pub(super) fn is_of_state(graph: &Graph, node: Node) -> bool {
 
 pub(super) fn is_of_input(graph: &Graph, node: Node) -> bool {
     graph.depends(node, |place| matches!(place, Place::Input(_)))
+}
+
+/// Whether `rates` have a constant Jacobian.
+pub(super) fn is_linear_in_state(
+    graph: &mut Graph,
+    state: &StateOfMode<'_>,
+    rates: &[Node],
+) -> bool {
+    let entries: Vec<_> = state.jacobian(graph, rates).into_iter().flatten().collect();
+    let entries = state.replaced(graph, &entries);
+    entries.iter().all(|it| !is_of_state(graph, *it) && !is_of_input(graph, *it))
 }
 
 pub(super) fn kind_of(

@@ -18,10 +18,12 @@ mod moving;
 mod names;
 mod parts;
 mod series;
+mod switches;
 mod table;
 
 pub use error::AssemblyError;
 pub use functions::TapeFunctions;
+pub(in crate::kane) use switches::stays_at_zero;
 
 use instruments::equations::table::{Arguments, Equations, FunctionId, Functions, ModelTable};
 

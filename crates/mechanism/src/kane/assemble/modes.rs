@@ -2,10 +2,12 @@
 
 use instruments::equations::table::{ConstraintTable, ForceTable, Freedom, FunctionId, ModeTable};
 
+use pode::EquationKind;
+
 use super::builder::{ModeBuilder, ModeContext};
 use super::functions::FunctionList;
 use super::jacobian::StateOfMode;
-use super::kinds::{LossKind, is_of_input, is_stiffening, kind_of};
+use super::kinds::{LossKind, is_linear_in_state, is_of_input, is_stiffening, kind_of};
 use super::moving::Moving;
 use super::parts::parts;
 use super::{AssemblyError, contacts, guards, names, series};
@@ -57,7 +59,14 @@ fn motion(
     let free: Vec<_> = state.free().map(|index| rates[index]).collect();
     let free = state.replaced(graph, &free);
     let entries = state.replaced(graph, &flat);
-    let kind = kind_of(graph, &free, &entries, &loss);
+    let mut kind = kind_of(graph, &free, &entries, &loss);
+    let averaged = &equations.averaged;
+    if !averaged.is_empty() && is_linear_in_state(graph, state, averaged) {
+        kind = EquationKind::Linear;
+    }
+    let averaged = (!averaged.is_empty())
+        .then(|| builder.add(graph, functions, "averaged", averaged))
+        .transpose()?;
     let derivative = builder.add(graph, functions, "derivative", rates)?;
     let moving = Moving {
         name: builder.name,
@@ -73,6 +82,7 @@ fn motion(
     let slaved = slaved.map(|slaved| builder.add(graph, functions, "slaved", slaved));
     Ok(ModeTable {
         derivative,
+        averaged,
         parts,
         part_list,
         constraints: ConstraintTable {

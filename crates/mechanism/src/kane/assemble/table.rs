@@ -10,13 +10,13 @@ use super::builder::ModeContext;
 use super::functions::FunctionList;
 use super::guard_numbers::GuardNumbers;
 use super::modes::mode;
-use super::{AssemblyError, Program, contacts, drawing, names};
+use super::{AssemblyError, Program, contacts, drawing, names, switches};
 use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::{Mechanism, StringDamper};
 use crate::kane::system::EquationSystem;
 
 pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError> {
-    let EquationSystem { mut mechanism, state, coordinates, modes } = system;
+    let EquationSystem { mut mechanism, state, coordinates, mut modes } = system;
     if state.len() > 64 {
         return Err(AssemblyError::TooManyStates(state.len()));
     }
@@ -25,6 +25,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
     }
     let mut graph = std::mem::take(&mut mechanism.graph);
     let graph = &mut graph;
+    switches::add(graph, &mut mechanism, &state, &mut modes);
     let parameters = mechanism.parameters.len();
     let mut functions = FunctionList::new(parameters, &state);
     let numbers = GuardNumbers::of(&modes)?;

@@ -11,6 +11,7 @@ use super::items::FileExpression;
 use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::reader::{CONSTANT, MOTION, MechanismReader, STATE};
+use crate::kane::assemble::stays_at_zero;
 use crate::kane::mechanism::{Fires, Guard, GuardBranch, Impact, Target};
 use crate::kane::text::{Dependence, Dimension, Form, Measured};
 
@@ -91,6 +92,11 @@ impl MechanismReader {
 
     fn guard_value(&mut self, file: &FileExpression, mode: usize) -> Option<Measured> {
         let value = self.value(file, MOTION)?;
+        if stays_at_zero(&mut self.graph, value.node) {
+            let message = "the guard stays at zero behind its zero, where it never fires";
+            let help = "write what goes on below zero, as x for max(x, 0)";
+            self.report.say(file.place, message, help);
+        }
         Some(self.acting(file, value, mode))
     }
 

@@ -5,7 +5,7 @@ use super::linear::is_linear_in_speeds;
 use super::names::{LawPlace, distance, number};
 use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
 use crate::kane::graph::{BinaryFunction, Graph, Node, Place, Substitution};
-use crate::kane::mechanism::{DryFriction, Force, MechanismContact};
+use crate::kane::mechanism::{DryFriction, Force, MechanismContact, SlipKind};
 use crate::kane::text::{Dimension, Measured};
 
 #[derive(Clone, Copy, Debug)]
@@ -224,7 +224,8 @@ impl MechanismReader {
             None => stiction,
         };
         let (name, scales) = (text.name.clone(), text.scales);
-        Some(DryFriction { name, slip: slip.node, stiction, kinetic, scales })
+        let kind = SlipKind::Speed;
+        Some(DryFriction { name, slip: slip.node, stiction, kinetic, scales, kind })
     }
 
     fn limit(&mut self, name: &str, file: &FileExpression, limit: Dimension) -> Option<Node> {

@@ -89,6 +89,7 @@ impl ContactScope<'_> {
             response: self.response(graph, forms, friction.slip),
             stiction: forms.value(graph, friction.stiction),
             kinetic: forms.value(graph, friction.kinetic),
+            kept: None,
         }
     }
 }

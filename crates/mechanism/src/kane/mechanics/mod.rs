@@ -39,7 +39,7 @@ use crate::kane::system::EquationSystem;
 use equations::ModeScope;
 use inertia::InertiaTerms;
 use motion::ModeMotion;
-use numeric::NumericPose;
+pub(in crate::kane) use numeric::NumericPose;
 
 /// Returns the equations of motion of `mechanism` in each of its modes.
 ///

@@ -10,13 +10,13 @@ use crate::kane::mechanism::Mechanism;
 const NEGLIGIBLE: f64 = 1e-9;
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct NumericPose {
+pub(in crate::kane) struct NumericPose {
     values: HashMap<Place, f64>,
 }
 
 impl NumericPose {
     /// Returns the rest pose with the default values of the parameters, for a key in the middle.
-    pub(super) fn at_rest(graph: &Graph, mechanism: &Mechanism) -> Self {
+    pub(in crate::kane) fn at_rest(graph: &Graph, mechanism: &Mechanism) -> Self {
         /// Number of the key C4.
         const MIDDLE: f64 = 39.0;
         let mut pose = Self { values: HashMap::from([(Place::Key, MIDDLE)]) };
@@ -53,20 +53,20 @@ impl NumericPose {
         pose
     }
 
-    pub(super) fn set(&mut self, place: Place, value: f64) {
+    pub(in crate::kane) fn set(&mut self, place: Place, value: f64) {
         self.values.insert(place, value);
     }
 
-    pub(super) fn get(&self, place: Place) -> f64 {
+    pub(in crate::kane) fn get(&self, place: Place) -> f64 {
         self.values.get(&place).copied().unwrap_or(0.0)
     }
 
-    pub(super) fn value(&self, graph: &Graph, node: Node) -> f64 {
+    pub(in crate::kane) fn value(&self, graph: &Graph, node: Node) -> f64 {
         self.all(graph, &[node])[0]
     }
 
     /// Returns the values of `nodes`; a symbol without a value is 0.
-    pub(super) fn all(&self, graph: &Graph, nodes: &[Node]) -> Vec<f64> {
+    pub(in crate::kane) fn all(&self, graph: &Graph, nodes: &[Node]) -> Vec<f64> {
         let mut values: HashMap<Node, f64> = HashMap::new();
         for node in graph.reached(nodes) {
             let value = self.one(graph, &values, node);
