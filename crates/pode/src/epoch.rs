@@ -20,6 +20,9 @@
 //! one. If it then sinks, and the reset map would turn it there, as an impact turns a body at rest
 //! on a floor, it fires again where it leaves zero.
 //!
+//! So is the guard of a contact that has opened since its force vanished, where the error of its
+//! constraint leaves it below zero ([`Reset::released`](crate::Reset::released)).
+//!
 //! A guard that fires on crossings only is also `Leaving` if it crossed at the instant of another
 //! one that fired first, or in a jump of the input.
 

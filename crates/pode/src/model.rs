@@ -165,12 +165,15 @@ pub struct Reset<M: Model> {
     /// The contact mode in which such impacts come to rest, and the state in it right now, if
     /// the model leaves it to the intervals to tell whether they accumulate.
     pub rests: Option<(M::Mode, M::State)>,
+    /// Guard of a contact that opened since its force vanished: rounding alone cannot close it
+    /// again at this instant.
+    pub released: Option<GuardId>,
 }
 
 impl<M: Model> Reset<M> {
     /// A transition without an impulse.
     pub const fn to(mode: M::Mode, state: M::State) -> Self {
-        Self { mode, state, impulse: 0.0, settles: None, rests: None }
+        Self { mode, state, impulse: 0.0, settles: None, rests: None, released: None }
     }
 
     /// The same with an impulse on the input (readout × s).
@@ -184,6 +187,12 @@ impl<M: Model> Reset<M> {
     #[must_use]
     pub const fn resting(self, mode: M::Mode, state: M::State) -> Self {
         Self { rests: Some((mode, state)), ..self }
+    }
+
+    /// The same where a contact with this guard opened since its force vanished.
+    #[must_use]
+    pub fn releasing(self, released: Option<GuardId>) -> Self {
+        Self { released, ..self }
     }
 
     /// The same with a declared accumulation point.

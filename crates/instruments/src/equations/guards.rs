@@ -13,10 +13,10 @@ use crate::equations::table::{
 };
 
 /// Speed below which there is no rebound (m/s): under gravity it would last 20 ps.
-const STILL: f64 = 1e-10;
+pub(super) const STILL: f64 = 1e-10;
 /// Parting speed below which a fired guard still counts as an impact (m/s): the rounding of a
 /// coordinate of 1 m hides the hop, up to 5 km/s² of pressing.
-const HOP: f64 = 1e-5;
+pub(super) const HOP: f64 = 1e-5;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
@@ -83,6 +83,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Resets for EquationMo
     fn reset(&self, mode: ModeNumber, guard: GuardId, x: &[f64; N], input: &Motion) -> Reset<Self> {
         let leads = self.leads(mode, guard, x, input);
         let reset = Reset::to(leads.to, leads.state).with_impulse(leads.impulse);
+        let reset = reset.releasing(leads.released);
         match leads.rests {
             Some((to, state)) => reset.resting(to, state),
             None => reset,
@@ -96,6 +97,13 @@ pub(crate) struct Leads<const N: usize> {
     pub(crate) state: [f64; N],
     pub(crate) impulse: f64,
     pub(crate) rests: Option<(ModeNumber, [f64; N])>,
+    pub(crate) released: Option<GuardId>,
+}
+
+impl<const N: usize> Leads<N> {
+    pub(crate) const fn to(to: ModeNumber, state: [f64; N]) -> Self {
+        Self { to, state, impulse: 0.0, rests: None, released: None }
+    }
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
@@ -132,18 +140,22 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         x: &[f64; N],
         input: &Motion,
     ) -> Leads<N> {
-        let ways = self.guard_table(mode, guard).map_or(&[][..], |guard| &guard.ways);
+        let table = self.guard_table(mode, guard);
+        if let Some((contact, family)) = table.and_then(|it| it.closes).zip(self.family(mode)) {
+            return self.struck(family, (mode, contact), x, input);
+        }
+        let ways = table.map_or(&[][..], |guard| &guard.ways);
         let is_open = |way: &&WayTable| {
             way.when.is_none_or(|when| {
                 let [margin] = self.values(when, x, input);
                 margin > 0.0
             })
         };
-        let stay = Leads { to: mode, state: *x, impulse: 0.0, rests: None };
-        let Some(way) = ways.iter().find(is_open) else { return stay };
+        let Some(way) = ways.iter().find(is_open) else { return Leads::to(mode, *x) };
         let (state, [impulse]) =
             way.reset.map_or((*x, [0.0]), |reset| self.state_and_numbers(reset, x, input));
-        let leads = Leads { to: ModeNumber(way.to), state, impulse, rests: None };
+        let released = way.releases.map(GuardId);
+        let leads = Leads { impulse, released, ..Leads::to(ModeNumber(way.to), state) };
         match way.resting {
             Some(resting) => self.met(resting, (mode, leads), x, input),
             None => leads,
@@ -161,13 +173,12 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         let [closing, restitution] = self.values(resting.meeting, x, input);
         if closing < -HOP {
             // A jump of the input moved one body into the other.
-            let state = self.with_places_of(&rebound.state, x);
-            return Leads { to: from, state, impulse: 0.0, rests: None };
+            return Leads::to(from, self.with_places_of(&rebound.state, x));
         }
         let (state, [impulse]) = self.state_and_numbers(resting.state, x, input);
         let to = ModeNumber(resting.to);
         if restitution * closing <= STILL {
-            Leads { to, state, impulse, rests: None }
+            Leads { impulse, ..Leads::to(to, state) }
         } else {
             Leads { rests: (restitution < 1.0).then_some((to, state)), ..rebound }
         }

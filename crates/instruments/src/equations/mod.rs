@@ -18,6 +18,7 @@ mod balance;
 mod find_natures;
 pub mod functions;
 mod guards;
+mod impacts;
 mod jacobian_bound;
 mod mode_number;
 mod model;
@@ -34,6 +35,7 @@ mod structure;
 mod structure_balance;
 pub mod table;
 
+pub use impacts::MOST_RIGID;
 pub use mode_number::ModeNumber;
 pub use model::{DoesNotFit, EquationModel};
 pub use natures::MAX_MODES;

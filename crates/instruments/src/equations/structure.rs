@@ -4,7 +4,8 @@ use core::array;
 
 use pode::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
-    FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts, SlipKind, WithContacts,
+    FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts, MAX_FRICTIONS, SlipKind,
+    WithContacts,
 };
 use pode::filippov::Surface;
 use pode::{
@@ -250,6 +251,36 @@ impl<F: Equations + Clone, const N: usize, const C: usize> FrictionalContacts
         let [stiction, kinetic] = self.contact_values(limits, x, input).unwrap_or([0.0; 2]);
         FrictionLimits { stiction, kinetic }
     }
+
+    fn is_coupled(&self, mode: ModeNumber) -> bool {
+        self.mode_table(mode).contacts.iter().any(|contact| contact.pressed.is_some())
+    }
+
+    fn pressed_by(
+        &self,
+        mode: ModeNumber,
+        contact: usize,
+        pressed: ContactGuard,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> FrictionLimits {
+        let (function, width) = match pressed {
+            ContactGuard::Friction(other) => {
+                (self.contact(mode, other).and_then(|it| it.pressed), 2)
+            }
+            ContactGuard::Structure(guard) => {
+                (self.guard_table(mode, guard).and_then(|it| it.pressed), 1)
+            }
+            ContactGuard::Gap(_) => (None, 1),
+        };
+        let mut frictions = self.mode_table(mode).contacts.iter().filter(|it| it.slip.is_some());
+        let own = frictions.position(|it| usize::from(it.contact) == contact);
+        let Some((function, own)) = function.zip(own) else { return FrictionLimits::coulomb(0.0) };
+        let mut out = [[0.0; 2]; MAX_FRICTIONS];
+        self.call(function, x, input, out.as_flattened_mut());
+        let at = |index: usize| out.as_flattened().get(index).copied().unwrap_or(0.0);
+        FrictionLimits { stiction: at(width * own), kinetic: at(width * own + width - 1) }
+    }
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
@@ -333,6 +364,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
         let leads = self.leads(mode, guard, x, input);
         let with = |structure| ContactMode { structure, contacts };
         let reset = Reset::to(with(leads.to), leads.state).with_impulse(leads.impulse);
+        let reset = reset.releasing(leads.released);
         match leads.rests {
             Some((to, state)) => reset.resting(with(to), state),
             None => reset,

@@ -9,6 +9,7 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 use pode::contacts::ContactSpec;
+use pode::contacts::restitution::ImpactLaw;
 use pode::{Enclosure, EquationKind, Fires, GuardSpec, Motion, Part, Reads};
 
 /// Number of a function of a model.
@@ -111,6 +112,23 @@ pub struct AutomatonTable {
     pub contacts: Vec<ContactSpec>,
     /// The guards of all modes, each id once, for a model with contacts.
     pub guards: Vec<GuardSpec>,
+    pub impacts: Vec<ImpactTable>,
+}
+
+/// Impacts of the rigid contacts of a family of modes, which differ by those that are closed.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ImpactTable {
+    pub law: ImpactLaw,
+    /// Modes of the family, each with its closed contacts as bits.
+    pub members: Vec<(u8, u32)>,
+    /// Typical size of the gap of each contact (m or rad).
+    pub scales: Vec<f64>,
+    /// Computes the gaps of all contacts, then their rates, their restitution, and the Delassus
+    /// matrix row by row.
+    pub meeting: FunctionId,
+    /// Computes, for each contact, the change of the state by a unit impulse, then the impulse on
+    /// the input.
+    pub responses: Vec<FunctionId>,
 }
 
 /// Sound of a model, and its conversion to MIDI.
@@ -332,6 +350,10 @@ pub struct GuardTable {
     pub value: FunctionId,
     /// Computes bounds of its move and bend from an enclosure in `extra` (see [`EnclosureLayout`]).
     pub bound: Option<FunctionId>,
+    /// Contact of the mode's [`ImpactTable`] that closes here; it then replaces the ways out.
+    pub closes: Option<u8>,
+    /// Computes what 1 N of each friction of the mode adds to the guard; `None` if nothing.
+    pub pressed: Option<FunctionId>,
     /// Ways out; the first with a positive condition counts.
     pub ways: Vec<WayTable>,
     /// Computes the speed of the strike (m/s), before the reset.
@@ -348,6 +370,8 @@ pub struct WayTable {
     pub reset: Option<FunctionId>,
     /// Rest of repeated impacts; `None` if they are no impacts, or never come to rest.
     pub resting: Option<RestingTable>,
+    /// Guard of the contact that opens on this way since its force vanished.
+    pub releases: Option<u8>,
 }
 
 /// The end of impacts with a restitution.
@@ -402,6 +426,9 @@ pub struct ContactModeTable {
     pub kept: Option<FunctionId>,
     /// `true` if it leaves the Jacobian constant while it is closed, or a switch on one side.
     pub is_linear: bool,
+    /// Computes what 1 N of each friction of the mode adds to stiction and kinetic friction, pair
+    /// by pair; `None` if nothing.
+    pub pressed: Option<FunctionId>,
     /// Computes its part of the readout's slopes; `None` if its friction is felt at the input.
     pub slopes: Option<FunctionId>,
     /// Computes the speed of the strike when it closes (m/s), 0 when it opens.

@@ -10,7 +10,8 @@ use core::fmt;
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use crate::equations::table::{
-    Arguments, FunctionId, Functions, ModeTable, ModelTable, NamedQuantity, Reading, is_pose,
+    Arguments, FunctionId, Functions, ImpactTable, ModeTable, ModelTable, NamedQuantity, Reading,
+    is_pose,
 };
 
 use crate::model::source::ModelSource;
@@ -180,10 +181,16 @@ impl ModeEntry {
     /// Lists the guards of a mode, then the contacts that can close in it.
     fn new(table: &ModelTable, mode: &ModeTable) -> Self {
         let name = |mode: u8| table.modes.get(usize::from(mode)).map(|mode| mode.name);
+        let own = table.modes.iter().position(|it| core::ptr::eq(it, mode));
+        let is_own =
+            |family: &&ImpactTable| family.members.iter().any(|it| Some(usize::from(it.0)) == own);
         let guards = mode.guards.iter().map(|guard| {
             let ways = guard.ways.iter();
+            let family = guard.closes.and_then(|_| table.automata.impacts.iter().find(is_own));
+            let members = family.into_iter().flat_map(|it| it.members.iter().map(|it| Some(it.0)));
             let mut to: Vec<_> = Vec::new();
-            for next in ways.flat_map(|way| [Some(way.to), way.resting.map(|resting| resting.to)]) {
+            let ways = ways.flat_map(|way| [Some(way.to), way.resting.map(|resting| resting.to)]);
+            for next in ways.chain(members) {
                 let next = next.and_then(name).filter(|next| !to.contains(next));
                 to.extend(next);
             }

@@ -100,10 +100,10 @@ impl<M: Guarded> Guarded for Stepped<M> {
 impl<M: Resets> Resets for Stepped<M> {
     #[inline]
     fn reset(&self, mode: M::Mode, guard: GuardId, x: &M::State, input: &M::Input) -> Reset<Self> {
-        let Reset { mode, state, impulse, settles, rests } =
+        let Reset { mode, state, impulse, settles, rests, released } =
             self.model.reset(mode, guard, x, input);
         let settles = settles.as_ref().map(settling);
-        Reset { mode, state, impulse, settles, rests }
+        Reset { mode, state, impulse, settles, rests, released }
     }
 }
 

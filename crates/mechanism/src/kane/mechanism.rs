@@ -12,6 +12,7 @@
 pub use instruments::equations::table::{Material, Reading};
 pub use pode::Fires;
 pub use pode::contacts::SlipKind;
+pub use pode::contacts::restitution::ImpactLaw;
 
 use instruments::equations::table::MidiTable;
 
@@ -53,9 +54,26 @@ pub struct InstrumentSpec {
     pub requirements: Vec<Requirement>,
     /// Left out configurations of rigid contacts, since their constraints depend on one another.
     pub left_out: Vec<String>,
+    pub impacts: RigidImpacts,
     pub sound: Option<StringDamper>,
     pub midi: MidiTable,
     pub drawing: Drawing,
+}
+
+/// Impacts of rigid contacts that close together.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct RigidImpacts {
+    pub law: ImpactLaw,
+    pub families: Vec<ContactFamily>,
+}
+
+/// Modes that differ by their closed rigid contacts: the mode without any first.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ContactFamily {
+    /// Modes, each with its closed contacts as bits.
+    pub members: Vec<(usize, u32)>,
+    /// Number of each contact's constraint, and its restitution.
+    pub contacts: Vec<(usize, Node)>,
 }
 
 /// The bodies, and their weight.
@@ -248,11 +266,13 @@ pub struct Guard {
     pub unit: String,
     /// Positive while the mode is valid.
     pub value: Node,
-    /// Typical size of its terms, in its own unit.
-    pub scale: f64,
+    /// Typical size of its terms, in its own unit; `None` takes it from the expression.
+    pub scale: Option<f64>,
     /// Who goes first when several cross at one instant: the lowest.
     pub priority: u8,
     pub fires: Fires,
+    /// Contact of the mode's family that closes here, by the law of the family's impacts.
+    pub closes: Option<u8>,
     /// Where it leads: the first branch whose condition is positive, or that has none.
     pub branches: Vec<GuardBranch>,
     /// Speed of what strikes (m/s), before the reset; over the state.

@@ -44,6 +44,17 @@ pub struct ModeEquations {
     pub supplied: Option<Node>,
     pub dissipated: Option<Node>,
     pub guards: Vec<GuardEquations>,
+    /// Impacts of the family whose first mode this is.
+    pub impacts: Option<ImpactEquations>,
+}
+
+/// Impacts of a family's rigid contacts, without any of them closed.
+#[derive(Clone, Debug)]
+pub struct ImpactEquations {
+    /// Gaps, their rates, restitution, then the Delassus matrix row by row.
+    pub meeting: Vec<Node>,
+    /// Change of the state by a unit impulse at each contact, then the impulse on the driver.
+    pub responses: Vec<Vec<Node>>,
 }
 
 /// Contact in one mode.
@@ -85,6 +96,8 @@ pub struct FrictionEquations {
     pub kinetic: Node,
     /// As slip, drift and gradient: what a stick keeps at zero instead, of a switch.
     pub kept: Option<Vec<Node>>,
+    /// What 1 N of each friction of the mode adds to both, pair by pair; may be empty.
+    pub pressed: Vec<Node>,
 }
 
 /// Guard in one mode.
@@ -98,6 +111,10 @@ pub struct GuardEquations {
     pub scale: f64,
     pub priority: u8,
     pub fires: Fires,
+    /// What 1 N of each friction of the mode adds to the value; may be empty.
+    pub pressed: Vec<Node>,
+    /// Contact of the mode's family that closes here.
+    pub closes: Option<u8>,
     /// Targets in the order of the description, with their reset maps.
     pub ways: Vec<Way>,
     pub sounds: Option<Node>,
@@ -110,4 +127,6 @@ pub struct Way {
     pub state: Vec<Node>,
     /// Impulse on the driver of the input (readout × s).
     pub impulse: Node,
+    /// Number in the next mode of the guard of a contact that opens here by its own reaction.
+    pub releases: Option<usize>,
 }

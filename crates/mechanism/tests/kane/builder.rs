@@ -213,9 +213,10 @@ impl MechanismBuilder {
             unit: String::new(),
             name: name.to_owned(),
             value,
-            scale: 1.0,
+            scale: Some(1.0),
             priority: 0,
             fires: Fires::WhileNegative,
+            closes: None,
             branches: vec![branch(to)],
             sounds: None,
         });

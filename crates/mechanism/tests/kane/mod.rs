@@ -28,6 +28,7 @@ mod readable;
 mod reference;
 mod resting;
 mod rigid;
+mod rigid_together;
 mod runnable;
 mod series;
 mod shipped;

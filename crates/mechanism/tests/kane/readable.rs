@@ -134,7 +134,9 @@ fn ball() -> EquationSystem {
             scale: 1.0,
             priority: 0,
             fires: mechanism::kane::mechanism::Fires::WhileNegative,
-            ways: vec![Way { branch, state: vec![y, bounced], impulse: zero }],
+            pressed: Vec::new(),
+            closes: None,
+            ways: vec![Way { branch, state: vec![y, bounced], impulse: zero, releases: None }],
             sounds: None,
         }],
         ..ModeEquations::default()

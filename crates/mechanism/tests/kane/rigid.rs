@@ -20,14 +20,14 @@ fn story<const N: usize>(text: &str, until: f64, input: impl Fn(f64) -> Motion) 
 }
 
 #[track_caller]
-fn same<const N: usize>(one: &Story<N>, other: &Story<N>) {
+fn same<const N: usize>(one: &Story<N>, other: &Story<N>, error: f64) {
     assert_eq!(one.0.len(), other.0.len(), "{:?}\n{:?}", one.0, other.0);
     for (a, b) in one.0.iter().zip(&other.0) {
-        assert!(a.1 == b.1 && (a.2 - b.2).abs() < 1e-12, "{a:?}, not {b:?}");
+        assert!(a.1 == b.1 && (a.2 - b.2).abs() < error, "{a:?}, not {b:?}");
     }
     for (a, b) in one.1.iter().zip(&other.1) {
         for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() < 1e-12 * b.abs().max(1.0), "{a}, not {b}");
+            assert!((a - b).abs() < error * b.abs().max(1.0), "{a}, not {b}");
         }
     }
 }
@@ -47,8 +47,8 @@ fn a_cart_between_rigid_walls_is_the_one_with_its_modes_written() {
         &written[..start],
         r#"
 [contacts]
-left = { gap = "x - left", rigid = true, restitution = "restitution", sounds = "abs(x_dot)" }
-right = { gap = "right - x", rigid = true, restitution = "restitution", sounds = "abs(x_dot)" }
+left = { gap = "x - left", rigid = true, scale = "1 m", restitution = "restitution", sounds = "abs(x_dot)" }
+right = { gap = "right - x", rigid = true, scale = "1 m", restitution = "restitution", sounds = "abs(x_dot)" }
 
 [modes.free]
 doc = "the cart is between the walls"
@@ -70,7 +70,8 @@ doc = "the cart is between the walls"
     let (one, other) = (story::<4>(&rigid, 4.0, to_and_fro), story::<4>(&written, 4.0, to_and_fro));
     let rests = other.0.iter().filter(|it| it.1 > 0).count();
     assert!(other.0.len() > 20 && rests >= 2, "it rebounds and is held: {:?}", other.0);
-    same(&one, &other);
+    // The law of several contacts rounds otherwise than the reset map of one.
+    same(&one, &other, 1e-11);
 }
 
 #[test]
@@ -116,7 +117,7 @@ to = "swing"
     let (one, other) = (story::<4>(&rigid, 2.0, input), story::<4>(&written, 2.0, input));
     assert!(other.0.iter().filter(|it| it.1 == 1).count() >= 1, "it leans: {:?}", other.0);
     assert!(other.0.len() > 8, "{:?}", other.0);
-    same(&one, &other);
+    same(&one, &other, 1e-12);
 }
 
 fn stops(count: usize, extra: &str) -> String {

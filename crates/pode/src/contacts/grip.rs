@@ -1,7 +1,7 @@
 //! The hold of a friction, and the direction of its slip.
 
 use crate::contacts::point::{ContactMotion, ContactPoint};
-use crate::contacts::{ContactState, FrictionSpec, GuardedContacts};
+use crate::contacts::{ContactState, FrictionForces, FrictionSpec, GuardedContacts};
 use crate::filippov::Surface;
 use crate::{GuardSpec, GuardValue};
 
@@ -59,7 +59,7 @@ impl<M: GuardedContacts> Friction<'_, M> {
         if self.moves(&self.point.kept(self.contact), &motion).is_some() {
             return GuardValue::new(-1.0, 0.0);
         }
-        let value = self.margin_with(&self.point, motion.forces.at(self.contact));
+        let value = self.margin_with(&self.point, &motion.forces);
         let dt = M::MOMENT;
         let [late, early] =
             [dt, -dt].map(|dt| self.point.after(dt, &motion.flow, |point| self.margin(point)));
@@ -78,12 +78,12 @@ impl<M: GuardedContacts> Friction<'_, M> {
     }
 
     fn margin(&self, point: &ContactPoint<'_, M>) -> f64 {
-        self.margin_with(point, point.motion().forces.at(self.contact))
+        self.margin_with(point, &point.motion().forces)
     }
 
-    fn margin_with(&self, point: &ContactPoint<'_, M>, force: f64) -> f64 {
-        let limit = point.limits(self.contact).stiction / self.spec.force;
-        let force = force / self.spec.force;
+    fn margin_with(&self, point: &ContactPoint<'_, M>, forces: &FrictionForces) -> f64 {
+        let limit = point.stiction(self.contact, forces) / self.spec.force;
+        let force = forces.at(self.contact) / self.spec.force;
         // As a product it keeps its digits where both are nearly equal.
         (limit - force) * (limit + force)
     }

@@ -122,9 +122,7 @@ impl<M: GuardedContacts> Guarded for WithContacts<M> {
                 let friction = self.friction(mode, contact, x, input);
                 friction.map_or(GuardValue::new(1.0, 0.0), |it| it.guard())
             }
-            ContactGuard::Structure(guard) => {
-                self.system.structure_guard(mode.structure, guard, x, input)
-            }
+            ContactGuard::Structure(guard) => self.point(mode, x, input).structure_guard(guard),
         }
     }
 }

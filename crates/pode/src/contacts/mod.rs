@@ -73,13 +73,15 @@
 //! # What is not here
 //!
 //! Rigid contacts are not automata: they are guards and reset maps of the structure, with impulses
-//! from [`restitution`]. Slip has one direction: no friction in a plane. Normal forces do not
-//! depend on the friction itself.
+//! from [`restitution`]. Slip has one direction: no friction in a plane. The normal force of a
+//! compliant contact does not depend on the friction itself; that of a rigid one does
+//! ([`FrictionalContacts::pressed_by`]).
 //!
 //! # References
 //! `[Fil88]` §4 for the slide, `[DL09]` for its end, `[PG96]` for several
 //! contacts at once, `[Mur74]` for the pivoting.
 
+mod coupled;
 mod energy;
 mod forces;
 mod grip;

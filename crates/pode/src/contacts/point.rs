@@ -57,6 +57,9 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
     pub(super) fn motion(&self) -> ContactMotion<M::State> {
         let (structure, contacts) = (self.mode.structure, self.mode.contacts);
         let mut flow = self.system.derivative(structure, contacts.closed(), self.x, self.input);
+        if self.is_coupled() {
+            return self.coupled(flow);
+        }
         let mut forces = self.sliding();
         for (contact, force) in forces.iter() {
             flow = flow.plus(force, &self.response(contact));
@@ -69,7 +72,8 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
 
     /// Computes all friction forces; only holding ones cost as much as [`ContactPoint::motion`].
     pub(super) fn forces(&self) -> FrictionForces {
-        if self.mode.contacts.sticking().is_empty() { self.sliding() } else { self.motion().forces }
+        let is_simple = self.mode.contacts.sticking().is_empty() && !self.is_coupled();
+        if is_simple { self.sliding() } else { self.motion().forces }
     }
 
     fn sliding(&self) -> FrictionForces {

@@ -1,6 +1,7 @@
 //! The mode in which a state starts, and resets: a contact, a friction or the structure changes.
 
 use crate::contacts::grip::SOON;
+use crate::contacts::spec::STRUCTURE;
 use crate::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactState, GuardedContacts,
     WithContacts,
@@ -25,7 +26,10 @@ impl<M: GuardedContacts> Resets for WithContacts<M> {
             ContactGuard::Friction(contact) => self.touch(mode, contact, x, input),
             ContactGuard::Structure(guard) => {
                 let reset = self.system.reset(mode.structure, mode.contacts, guard, x, input);
-                Reset { mode: self.released(reset.mode, &reset.state, input), ..reset }
+                let released =
+                    reset.released.map(|guard| GuardId(guard.0.saturating_add(STRUCTURE)));
+                let mode = self.released(reset.mode, &reset.state, input);
+                Reset { mode, released, ..reset }
             }
         }
     }

@@ -162,6 +162,24 @@ pub trait FrictionalContacts: ContactSystem {
     ) -> FrictionLimits {
         FrictionLimits::coulomb(0.0)
     }
+
+    /// Whether friction forces change the limits of frictions, or guards, in `structure`.
+    fn is_coupled(&self, _structure: Self::Structure) -> bool {
+        false
+    }
+
+    /// Returns what 1 N of the friction of `contact`, in the direction of positive slip, adds to
+    /// the limits of another friction, or to a guard of the structure.
+    fn pressed_by(
+        &self,
+        _structure: Self::Structure,
+        _contact: usize,
+        _pressed: ContactGuard,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> FrictionLimits {
+        FrictionLimits::coulomb(0.0)
+    }
 }
 
 /// What ends a structural mode of a mechanism with contacts, and how far a step may go.

@@ -3,7 +3,7 @@
 use super::Simulator;
 use crate::epoch::{Stand, stand};
 use crate::forecast::GuardSlot;
-use crate::guard::MAX_GUARDS;
+use crate::guard::{GuardId, MAX_GUARDS};
 use crate::input::Signal;
 use crate::model::{Reset, Resets};
 use crate::outcome::Fault;
@@ -54,8 +54,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         };
         run.cascade += 1;
         run.has_aimed = false;
-        let fired = spec.id;
-        run.due.remove(fired);
+        run.due.remove(spec.id);
         // The guard has fired, so its earlier stand no longer applies.
         self.guards[index].stand = Stand::Leaving;
         let input = run.input();
@@ -75,7 +74,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if !self.take_guards(run, Some(from)) {
             return false;
         }
-        match self.accumulates(run, &reset, fired) {
+        self.silence(reset.released);
+        match self.accumulates(run, &reset, spec.id) {
             None => {
                 if from == self.mode {
                     run.work.ineffective += u32::from(self.guards[index].stand == Stand::Leaving);
@@ -184,6 +184,17 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             }
         }
         true
+    }
+
+    /// Keeps the guard of a contact that has just opened from firing before it has been positive, or
+    /// sinks: the state lies on the contact within the error of its constraint.
+    fn silence(&mut self, released: Option<GuardId>) {
+        let slots = self.guards.iter_mut().zip(self.model.guards(self.mode));
+        for (slot, _) in slots.filter(|(_, spec)| Some(spec.id) == released) {
+            if slot.stand == Stand::Leaving {
+                slot.stand = Stand::Spent;
+            }
+        }
     }
 
     fn disarm_if_spent(&mut self, index: usize) {

@@ -58,6 +58,7 @@ fn contact(
         kept: None,
         is_linear: false,
         response: None,
+        pressed: None,
         slip_bound: None,
         slopes: None,
         sounds: None,
@@ -178,5 +179,17 @@ fn friction(
     table.slip_bound = Some(bound);
     table.limits = Some(builder.add(graph, functions, &format!("{name}_limits"), &limits)?);
     table.response = Some(builder.add(graph, functions, &format!("{name}_response"), &response)?);
+    table.pressed = pressed(graph, functions, builder, (name, &friction.pressed))?;
     Ok(())
+}
+
+/// Adds the function of what frictions add to a limit or guard; `None` if that is nothing.
+pub(super) fn pressed(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, nodes): (&str, &[Node]),
+) -> Result<Option<FunctionId>, AssemblyError> {
+    let function = || builder.add(graph, functions, &format!("{name}_pressed"), nodes);
+    (!nodes.is_empty()).then(function).transpose()
 }

@@ -1,9 +1,9 @@
 //! What ends a mode, and where that leads.
 
-use instruments::equations::table::{GuardTable, RestingTable, WayTable};
+use instruments::equations::table::{GuardTable, ImpactTable, RestingTable, WayTable};
 use pode::{GuardId, GuardSpec, Reads};
 
-use super::builder::ModeBuilder;
+use super::builder::{ModeBuilder, ModeContext};
 use super::functions::FunctionList;
 use super::kinds::is_of_input;
 use super::{AssemblyError, names};
@@ -54,9 +54,14 @@ fn guard(
         priority: guard.priority,
         scale: guard.scale,
         fires: guard.fires,
+        closes: guard.closes,
         reads: reads(graph, builder, &values),
         value: builder.add(graph, functions, &format!("{name}_guard"), &values)?,
-        bound: Some(bound(graph, functions, builder, (name, guard.value))?),
+        // What frictions add has no bound.
+        bound: (guard.pressed.is_empty())
+            .then(|| bound(graph, functions, builder, (name, guard.value)))
+            .transpose()?,
+        pressed: super::contacts::pressed(graph, functions, builder, (name, &guard.pressed))?,
         ways,
         sounds: sounds.transpose()?,
     })
@@ -102,7 +107,46 @@ fn way(
         to: u8::try_from(way.branch.to).unwrap_or(u8::MAX),
         reset,
         resting: resting(graph, functions, builder, (name, value, way))?,
+        releases: way.releases.and_then(|released| {
+            let next = builder.context.modes.get(way.branch.to)?;
+            Some(builder.context.numbers.number(next.guards.get(released)?))
+        }),
     })
+}
+
+/// Returns the impacts of each family of modes.
+pub(super) fn impacts(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    context: &ModeContext<'_>,
+) -> Result<Vec<ImpactTable>, AssemblyError> {
+    let impacts = &context.mechanism.instrument.impacts;
+    let mut tables = Vec::new();
+    for family in &impacts.families {
+        let base = family.members.first().and_then(|it| context.modes.get(it.0));
+        let Some((base, found)) = base.and_then(|it| it.impacts.as_ref().map(|found| (it, found)))
+        else {
+            continue;
+        };
+        let name = family.members.first().and_then(|it| context.mechanism.modes.get(it.0));
+        let name = name.map_or("", |mode| mode.name.as_str());
+        let scale = |contact: u8| {
+            base.guards.iter().find(|it| it.closes == Some(contact)).map_or(1.0, |it| it.scale)
+        };
+        let mut responses = Vec::new();
+        for (number, response) in found.responses.iter().enumerate() {
+            responses.push(functions.add(graph, &format!("{name}_pushed_{number}"), response)?);
+        }
+        let members = family.members.iter();
+        tables.push(ImpactTable {
+            law: impacts.law,
+            members: members.map(|it| (u8::try_from(it.0).unwrap_or(u8::MAX), it.1)).collect(),
+            scales: (0..).take(responses.len()).map(scale).collect(),
+            meeting: functions.add(graph, &format!("{name}_meeting"), &found.meeting)?,
+            responses,
+        });
+    }
+    Ok(tables)
 }
 
 /// How an impact comes to rest: in the mode that has, beside the constraints of the mode after a

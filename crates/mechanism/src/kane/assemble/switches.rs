@@ -333,6 +333,7 @@ fn friction(
         response: ForceResponse { derivative: response, readout: Some(zero), motor: Some(zero) },
         stiction: one,
         kinetic: one,
+        pressed: Vec::new(),
         kept,
     }
 }

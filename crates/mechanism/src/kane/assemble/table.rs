@@ -9,6 +9,7 @@ use pode::GuardSpec;
 use super::builder::ModeContext;
 use super::functions::FunctionList;
 use super::guard_numbers::GuardNumbers;
+use super::guards::impacts;
 use super::modes::mode;
 use super::{AssemblyError, Program, contacts, drawing, names, switches};
 use crate::kane::graph::{Graph, Node, Place};
@@ -40,6 +41,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
     for number in 0..modes.len() {
         tables.push(mode(graph, &mut functions, &context, number)?);
     }
+    let impacts = impacts(graph, &mut functions, &context)?;
     let (contact_tables, contact_specs) = contacts::specs(&mechanism);
     let outputs = named(mechanism.outputs.iter().map(|it| (&it.name, &it.unit)));
     let first_pose = outputs.len().saturating_sub(3 * mechanism.instrument.drawing.frames.len());
@@ -61,7 +63,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
             },
             per_metre: values.input_per_metre,
         },
-        automata: AutomatonTable { contacts: contact_specs, guards: all_specs(&tables) },
+        automata: AutomatonTable { contacts: contact_specs, guards: all_specs(&tables), impacts },
         modes: tables,
         contacts: contact_tables,
         outputs,

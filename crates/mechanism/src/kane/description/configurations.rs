@@ -11,6 +11,7 @@ pub(super) struct RigidContact {
     pub(super) place: SourcePlace,
     pub(super) gap: TomlNode,
     pub(super) restitution: Option<TomlEntry>,
+    pub(super) friction: Option<TomlEntry>,
     /// Further entries of its guard: a scale, sounds.
     pub(super) extras: Vec<TomlEntry>,
 }
@@ -23,6 +24,13 @@ struct WrittenMode {
     /// Largest number of closed contacts: the mode's degrees of freedom.
     most: usize,
     constraints: Vec<TomlNode>,
+}
+
+/// Names of the modes of a family with their closed contacts as bits, and of its contacts.
+#[derive(Clone, Debug)]
+pub(super) struct FamilyNames {
+    pub(super) members: Vec<(String, u32)>,
+    pub(super) contacts: Vec<String>,
 }
 
 #[derive(Clone, Debug)]
@@ -72,6 +80,24 @@ impl<'a> Configurations<'a> {
         sets.iter().map(|(mode, closed)| self.mode(mode, closed)).collect()
     }
 
+    /// Returns the families in which several contacts can close.
+    pub(super) fn families(&self) -> Vec<FamilyNames> {
+        let several = self.modes.iter().filter(|mode| mode.contacts.len() > 1 && mode.most > 0);
+        several.map(|mode| self.family(mode)).collect()
+    }
+
+    fn family(&self, mode: &WrittenMode) -> FamilyNames {
+        let member = |closed: &[usize]| {
+            let own = mode.contacts.iter().enumerate().filter(|(_, it)| closed.contains(it));
+            (self.name(&mode.entry.name, closed), own.fold(0, |all, (at, _)| all | 1 << at))
+        };
+        let sets = mode.sets();
+        FamilyNames {
+            members: std::iter::once(member(&[])).chain(sets.iter().map(|it| member(it))).collect(),
+            contacts: mode.contacts.iter().map(|it| self.contacts[*it].name.clone()).collect(),
+        }
+    }
+
     fn mode(&self, mode: &WrittenMode, closed: &[usize]) -> TomlEntry {
         let place = mode.entry.place;
         let mut keys: Vec<TomlEntry> = mode.entry.node.entries().unwrap_or(&[]).to_vec();
@@ -81,17 +107,16 @@ impl<'a> Configurations<'a> {
         };
         let mut guards =
             keys.iter().find(|key| key.name == "guards").map_or(Vec::new(), |it| list_of(&it.node));
-        if let Some(without) = keys.iter().find(|key| key.name == "without") {
-            let is_rigid =
-                |node: &TomlNode| self.contacts.iter().any(|it| node.text() == Some(&it.name));
-            let mut rest = list_of(&without.node);
-            rest.retain(|node| !is_rigid(node));
-            let without = entry("without", place, TomlKind::List(rest));
-            keys.retain(replaced);
-            keys.push(without);
-        } else {
-            keys.retain(replaced);
-        }
+        let without = keys.iter().find(|key| key.name == "without");
+        let mut rest = without.map_or(Vec::new(), |it| list_of(&it.node));
+        let is_rigid =
+            |node: &TomlNode| self.contacts.iter().any(|it| node.text() == Some(&it.name));
+        rest.retain(|node| !is_rigid(node));
+        let open = self.contacts.iter().enumerate().filter(|(it, _)| !closed.contains(it));
+        let idle = open.filter_map(|(_, contact)| contact.friction_name());
+        rest.extend(idle.map(|name| of_name(&name, place)));
+        keys.retain(replaced);
+        keys.push(entry("without", place, TomlKind::List(rest)));
         for guard in &mut guards {
             self.lead(guard, closed);
         }
@@ -131,7 +156,7 @@ impl<'a> Configurations<'a> {
 
     /// Returns the guard that closes a contact: with a rebound, or without.
     fn closing(&self, mode: &WrittenMode, closed: &[usize], contact: usize) -> TomlNode {
-        let RigidContact { name, place, gap, restitution, extras } = &self.contacts[contact];
+        let RigidContact { name, place, gap, restitution, extras, .. } = &self.contacts[contact];
         let mut together: Vec<_> = closed.iter().copied().chain([contact]).collect();
         together.sort_unstable();
         let own = self.name(&mode.entry.name, closed);
@@ -262,6 +287,10 @@ impl WrittenMode {
 }
 
 impl RigidContact {
+    pub(super) fn friction_name(&self) -> Option<String> {
+        self.friction.is_some().then(|| format!("{}_friction", self.name))
+    }
+
     pub(super) fn constraint(&self) -> TomlEntry {
         let zero = TomlEntry { name: "zero".to_owned(), place: self.place, node: self.gap.clone() };
         entry(&self.name, self.place, TomlKind::Table(vec![zero]))

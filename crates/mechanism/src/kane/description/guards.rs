@@ -78,16 +78,17 @@ impl MechanismReader {
         let sounds =
             sounds.and_then(|it| self.mode_value("sounds", &it, reach, Dimension::SPEED, mode));
         let (name, place) = named?;
-        let scale = scale.unwrap_or(1.0);
         let impacts: Vec<_> = branches.iter().filter_map(|it| it.impact).collect();
         if !impacts.is_empty() {
             let place = positive.map_or(place, |it| it.place);
-            self.guard_impacts(mode, value?, (scale, place), &impacts);
+            self.guard_impacts(mode, value?, (scale.unwrap_or(1.0), place), &impacts);
         }
         let unit = value?.dimension.to_string();
         let value = value?.node;
         let name = name.to_owned();
-        Some((Guard { name, unit, value, scale, priority, fires, branches, sounds }, place))
+        let guard =
+            Guard { name, unit, value, scale, priority, fires, closes: None, branches, sounds };
+        Some((guard, place))
     }
 
     fn guard_value(&mut self, file: &FileExpression, mode: usize) -> Option<Measured> {

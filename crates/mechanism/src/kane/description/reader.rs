@@ -7,20 +7,29 @@
 use documents::toml::{
     FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode, TomlSource,
 };
-use documents::{Diagnostics, quoted};
+use documents::{Diagnostics, choice, quoted};
 
 use super::bases::{self, Bases};
+use super::configurations::FamilyNames;
 use super::items::{DescribedItem, FileExpression, FrictionText, ParameterText};
 use super::names::NameTable;
 use super::plausible::PlausibleValues;
 use super::{Description, MOST_COORDINATES, MOST_OF_A_KIND};
 use super::{rigid, time};
 use crate::kane::graph::{Graph, Node, Substitution};
-use crate::kane::mechanism::{Constraint, DrawnFrame, Force, Mechanism, MechanismContact};
+use crate::kane::mechanism::{
+    Constraint, ContactFamily, DrawnFrame, Force, Guard, ImpactLaw, Mechanism, MechanismContact,
+};
 use crate::kane::text::{Dependence, Measured};
 
 /// Most operands that all expressions of a description may have.
 const HEAVIEST: usize = 100_000;
+
+const LAWS: [(&str, ImpactLaw); 3] = [
+    ("newton", ImpactLaw::Newton),
+    ("poisson", ImpactLaw::Poisson),
+    ("sequential", ImpactLaw::Sequential),
+];
 
 /// What laws and requirements are over.
 pub(super) const CONSTANT: Dependence = Dependence::PARAMETERS;
@@ -110,10 +119,12 @@ impl MechanismReader {
         self.graph.limit_work();
         let mut doc = String::new();
         if let Some(tree) = bases::merged(&mut self.report, source, bases) {
-            let tree = rigid::written_out(&mut self.report, &tree).unwrap_or(tree);
+            let (tree, families) =
+                rigid::written_out(&mut self.report, &tree).unwrap_or((tree, Vec::new()));
             let tree = time::with_time(&tree).unwrap_or(tree);
             self.names.is_broken = self.report.is_broken;
             doc = self.all(&tree);
+            self.families(&families);
         }
         if let Some(end) = self.graph.given_up() {
             self.report.replace(bases::start(0), end.to_string(), "describe a smaller model");
@@ -168,7 +179,36 @@ impl MechanismReader {
         if let Some((summary, _)) = root.text(&mut self.report, "summary") {
             summary.clone_into(&mut self.mechanism.instrument.summary);
         }
+        if let Some((law, place)) = root.text(&mut self.report, "impacts") {
+            let found = LAWS.iter().find(|(name, _)| *name == law);
+            if found.is_none() {
+                let message = format!("there is no impact law {}", quoted(law));
+                self.report.say(place, message, choice(law, LAWS.map(|it| it.0)));
+            }
+            self.mechanism.instrument.impacts.law = found.map(|it| it.1).unwrap_or_default();
+        }
         root.text(&mut self.report, "doc").map(|(doc, _)| doc.trim().to_owned()).unwrap_or_default()
+    }
+
+    /// Gives the guards that close contacts of a family to the law of its impacts.
+    fn families(&mut self, all: &[FamilyNames]) {
+        for family in all {
+            let known = |name: &String| self.modes.iter().position(|(mode, _)| mode == name);
+            let members = family.members.iter().map(|(name, bits)| Some((known(name)?, *bits)));
+            let Some(members) = members.collect::<Option<Vec<_>>>() else { continue };
+            let contacts = family.contacts.iter().map(|name| {
+                let guards = &self.mechanism.modes.get(members.first()?.0)?.guards;
+                let impact = guards.iter().find(|it| it.name == *name)?.branches.first()?.impact?;
+                Some((self.names.constraints.index(name)?, impact.restitution))
+            });
+            let Some(contacts) = contacts.collect::<Option<Vec<_>>>() else { continue };
+            let modes = self.mechanism.modes.iter_mut().enumerate();
+            let own = modes.filter(|(number, _)| members.iter().any(|it| it.0 == *number));
+            for (_, mode) in own {
+                close_by_law(&mut mode.guards, &family.contacts);
+            }
+            self.mechanism.instrument.impacts.families.push(ContactFamily { members, contacts });
+        }
     }
 
     fn has_too_many(&mut self, tree: &TomlNode) -> bool {
@@ -237,5 +277,14 @@ impl MechanismReader {
         let help = "use letters, digits and _, a letter first; pi, key and if are taken";
         self.report.say(entry.place, message, help);
         false
+    }
+}
+
+fn close_by_law(guards: &mut [Guard], contacts: &[String]) {
+    for guard in guards {
+        guard.closes = (0..).zip(contacts).find(|(_, it)| **it == guard.name).map(|it| it.0);
+        if let Some(branch) = guard.closes.and(guard.branches.first_mut()) {
+            branch.impact = None;
+        }
     }
 }

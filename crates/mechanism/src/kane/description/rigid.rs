@@ -7,14 +7,19 @@
 
 use documents::quoted;
 use documents::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
+use instruments::equations::MOST_RIGID;
 
-use super::configurations::{Configurations, JOINT, RigidContact};
+use super::configurations::{Configurations, FamilyNames, JOINT, RigidContact};
+use super::toml_making::text;
 use crate::kane::mechanism::most_modes;
 
-const KEYS: [&str; 5] = ["rigid", "gap", "restitution", "scale", "sounds"];
+const KEYS: [&str; 6] = ["rigid", "gap", "restitution", "scale", "sounds", "friction"];
 
 /// Expands the rigid contacts of a description; without any it is unchanged.
-pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<TomlNode> {
+pub(super) fn written_out(
+    report: &mut FindingList,
+    tree: &TomlNode,
+) -> Option<(TomlNode, Vec<FamilyNames>)> {
     let RigidContacts { contacts, unreadable } = rigid(report, tree)?;
     let first = contacts.first().map_or(tree.place, |it| it.place);
     let modes = modes(tree);
@@ -37,19 +42,27 @@ pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<T
         configurations.keep_open();
         report.is_broken = true;
     }
+    let families = configurations.families();
+    if families.iter().any(|family| family.contacts.len() > MOST_RIGID) {
+        let message = format!("more than {MOST_RIGID} rigid contacts can close in one mode");
+        report.say(first, message, "leave some out of the mode with without = [\"…\"]");
+        report.is_broken = true;
+    }
     let mut out = tree.clone();
     let written_out: Vec<_> = contacts.iter().map(|it| &it.name).chain(&unreadable).collect();
     without_rigid(&mut out, &written_out);
     let TomlKind::Table(entries) = &mut out.kind else { return None };
     let constraints = contacts.iter().map(RigidContact::constraint).collect();
     extend(entries, "constraints", first, constraints);
+    let frictions = contacts.iter().filter_map(|contact| friction(report, contact)).collect();
+    extend(entries, "frictions", first, frictions);
     let place = tree.get("modes").map_or(tree.place, |it| it.place);
     entries.retain(|entry| entry.name != "modes");
     extend(entries, "modes", place, configurations.modes());
     for entry in entries.iter_mut() {
         configurations.name_where(entry);
     }
-    Some(out)
+    Some((out, families))
 }
 
 #[derive(Default)]
@@ -89,9 +102,41 @@ fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<RigidContacts> {
             gap: gap.node.clone(),
             extras: ["scale", "sounds"].into_iter().filter_map(value).collect(),
             restitution: value("restitution"),
+            friction: value("friction"),
         });
     }
     (!found.contacts.is_empty() || !found.unreadable.is_empty()).then_some(found)
+}
+
+/// Returns the friction of a closed contact: coefficients times its reaction.
+fn friction(report: &mut FindingList, contact: &RigidContact) -> Option<TomlEntry> {
+    let entry = contact.friction.as_ref()?;
+    let mut keys = KeyReader::new(report, entry)?;
+    let mut found: Vec<TomlEntry> = Vec::new();
+    found.extend(["slip", "scales"].into_iter().filter_map(|key| keys.take(key).cloned()));
+    for (key, limit) in [("coefficient", "stiction"), ("kinetic", "kinetic")] {
+        let Some(own) = keys.take(key) else { continue };
+        let factor = match &own.node.kind {
+            TomlKind::Text(text, _) => text.clone(),
+            TomlKind::Integer(number) => number.to_string(),
+            TomlKind::Float(number) => number.to_string(),
+            TomlKind::Truth(_) | TomlKind::Date | TomlKind::List(_) | TomlKind::Table(_) => {
+                report.say(own.place, "a coefficient of friction is a ratio", "write 0.3");
+                continue;
+            }
+        };
+        found.push(text(limit, own.place, &format!("({factor})*reaction({})", contact.name)));
+    }
+    for needed in ["slip", "coefficient"] {
+        if keys.take(needed).is_none() {
+            let message = format!("the friction of \"{}\" has no {needed}", contact.name);
+            report.miss(entry.place, message, format!("write {needed} = \"…\""));
+            report.is_broken = true;
+        }
+    }
+    keys.finish(report);
+    let node = TomlNode { place: entry.place, kind: TomlKind::Table(found) };
+    Some(TomlEntry { name: contact.friction_name()?, place: entry.place, node })
 }
 
 fn modes(tree: &TomlNode) -> Vec<TomlEntry> {

@@ -1,5 +1,7 @@
 //! Effect of contacts and frictions on a mode's motion.
 
+use std::collections::BTreeMap;
+
 use super::balance::lost;
 use super::explicit::ExplicitForms;
 use super::inertia::{InertiaTerms, drift, gradient};
@@ -23,10 +25,16 @@ impl ContactScope<'_> {
         forms: &mut ExplicitForms,
         mode: &Mode,
     ) -> Vec<ContactEquations> {
-        mode.contacts.iter().map(|contact| self.one(graph, forms, *contact)).collect()
+        mode.contacts.iter().map(|contact| self.one(graph, forms, mode, *contact)).collect()
     }
 
-    fn one(&self, graph: &mut Graph, forms: &mut ExplicitForms, number: usize) -> ContactEquations {
+    fn one(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        mode: &Mode,
+        number: usize,
+    ) -> ContactEquations {
         let contact = &self.mechanism.contacts[number];
         let gap = contact.gap.map(|gap| {
             let rate = along_places(graph, self.mechanism).of(graph, gap);
@@ -39,7 +47,7 @@ impl ContactScope<'_> {
             normal: self.normal(graph, forms, contact),
             normal_response: normal_response.unwrap_or_default(),
             sounds: contact.sounds.map(|it| forms.value(graph, it)),
-            friction: contact.friction.as_ref().map(|it| self.friction(graph, forms, it)),
+            friction: contact.friction.as_ref().map(|it| self.friction(graph, forms, mode, it)),
         }
     }
 
@@ -76,6 +84,7 @@ impl ContactScope<'_> {
         &self,
         graph: &mut Graph,
         forms: &mut ExplicitForms,
+        mode: &Mode,
         friction: &DryFriction,
     ) -> FrictionEquations {
         let slip = forms.value(graph, friction.slip);
@@ -90,7 +99,35 @@ impl ContactScope<'_> {
             stiction: forms.value(graph, friction.stiction),
             kinetic: forms.value(graph, friction.kinetic),
             kept: None,
+            pressed: self.pressed(graph, forms, mode, &[friction.stiction, friction.kinetic]),
         }
+    }
+
+    /// Returns what 1 N of each friction of the mode adds to `nodes` by the reactions in them, friction
+    /// by friction; nothing if all is 0.
+    pub(super) fn pressed(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        mode: &Mode,
+        nodes: &[Node],
+    ) -> Vec<Node> {
+        let is_reaction = |place| matches!(place, Place::Reaction(_));
+        if !nodes.iter().any(|node| graph.depends(*node, is_reaction)) {
+            return Vec::new();
+        }
+        let contacts = mode.contacts.iter().map(|contact| &self.mechanism.contacts[*contact]);
+        let mut all = Vec::new();
+        for friction in contacts.filter_map(|contact| contact.friction.as_ref()) {
+            let slopes = gradient(graph, self.mechanism, friction.slip);
+            let reactions = self.motion.response(graph, self.inertia, &slopes).reactions;
+            for node in nodes {
+                let sum = added(graph, *node, &reactions);
+                all.push(forms.value(graph, sum));
+            }
+        }
+        let is_nothing = all.iter().all(|node| graph.is_zero(*node));
+        if is_nothing { Vec::new() } else { all }
     }
 }
 
@@ -99,4 +136,14 @@ pub(super) fn places(mechanism: &Mechanism, is_kept: impl Fn(Place) -> bool) -> 
     let coordinates = (0..mechanism.coordinates.len()).map(|i| Place::Coordinate(number(i)));
     let speeds = (0..mechanism.speeds.len()).map(|j| Place::Speed(number(j)));
     coordinates.chain(speeds).filter(|place| is_kept(*place)).collect()
+}
+
+/// Returns what `reactions` add to `node`, which is linear in them.
+fn added(graph: &mut Graph, node: Node, reactions: &BTreeMap<usize, Node>) -> Node {
+    let mut terms = Vec::new();
+    for (constraint, reaction) in reactions {
+        let slope = graph.partial(node, Place::Reaction(number(*constraint)));
+        terms.push((graph.multiply(slope, *reaction), 1.0));
+    }
+    graph.sum(&terms)
 }

@@ -2,13 +2,14 @@ use super::balance::BalanceTerms;
 use super::contact::ContactScope;
 use super::error::DerivationObstacle;
 use super::explicit::ExplicitForms;
-use super::inertia::InertiaTerms;
+use super::generalised::inner;
+use super::inertia::{InertiaTerms, gradient};
 use super::motion::ModeMotion;
 use super::projection::Projection;
 use super::reset::ResetScope;
 use crate::kane::graph::{Graph, Node, Place};
-use crate::kane::mechanism::{Guard, Mechanism, Mode, Target};
-use crate::kane::system::{GuardEquations, ModeEquations};
+use crate::kane::mechanism::{ContactFamily, Guard, GuardBranch, Mechanism, Mode, Target};
+use crate::kane::system::{GuardEquations, ImpactEquations, ModeEquations, Way};
 
 pub(super) struct ModeScope<'a> {
     pub(super) mechanism: &'a Mechanism,
@@ -84,6 +85,7 @@ impl ModeScope<'_> {
             });
         let of_outputs = with_friction.as_mut().unwrap_or(&mut forms);
         equations.outputs = outputs.map(|it| of_outputs.value(graph, *it)).collect();
+        equations.impacts = self.impacts(graph, &mut forms);
         equations.guards =
             mode.guards.iter().map(|guard| self.guard(graph, &mut forms, guard)).collect();
         Ok(equations)
@@ -172,6 +174,53 @@ impl ModeScope<'_> {
         equations.is_held = !self.motion().speeds.held.is_empty();
     }
 
+    /// Returns the number in the next mode of the guard that closes the contact whose reaction the
+    /// `guard` watches, where the branch releases it.
+    fn released(&self, graph: &mut Graph, guard: &Guard, branch: &GuardBranch) -> Option<usize> {
+        let next = &self.mechanism.modes[branch.to];
+        let own = self.mode().constraints.iter().filter(|it| !next.constraints.contains(it));
+        let mut own = own.filter(|it| {
+            let reaction = Place::Reaction(super::kinematics::number(**it));
+            graph.depends(guard.value, |place| place == reaction)
+        });
+        let zero = self.mechanism.constraints[*own.next()?].zero;
+        let gaps = [zero, graph.negate(zero)];
+        next.guards.iter().position(|it| gaps.contains(&it.value))
+    }
+
+    /// Returns the impacts of the family whose first mode this is.
+    fn impacts(&self, graph: &mut Graph, forms: &mut ExplicitForms) -> Option<ImpactEquations> {
+        let families = &self.mechanism.instrument.impacts.families;
+        let is_own = |it: &&ContactFamily| it.members.first().is_some_and(|it| it.0 == self.number);
+        let family = families.iter().find(is_own)?;
+        let constraints = family.contacts.iter().map(|it| &self.mechanism.constraints[it.0]);
+        let constraints: Vec<_> = constraints.collect();
+        let mut meeting: Vec<Node> = Vec::new();
+        meeting.extend(constraints.iter().map(|it| forms.value(graph, it.zero)));
+        meeting.extend(constraints.iter().map(|it| forms.value(graph, it.rate)));
+        meeting.extend(family.contacts.iter().map(|it| forms.value(graph, it.1)));
+        let slopes: Vec<_> =
+            constraints.iter().map(|it| gradient(graph, self.mechanism, it.rate)).collect();
+        let pushed: Vec<_> =
+            slopes.iter().map(|it| self.motion().response(graph, self.inertia, it)).collect();
+        for i in 0..slopes.len() {
+            for j in 0..slopes.len() {
+                // One expression for both halves, whatever their rounding.
+                let (row, column) = (&slopes[i.max(j)], &pushed[i.min(j)].accelerations);
+                let entry = inner(graph, row, column);
+                meeting.push(forms.value(graph, entry));
+            }
+        }
+        let zero = graph.constant(0.0);
+        let responses = pushed.iter().map(|it| {
+            let changes = self.state.iter().map(|place| change(*place, &it.accelerations, zero));
+            let nodes = changes.chain([it.driving.unwrap_or(zero)]);
+            nodes.map(|node| forms.value(graph, node)).collect()
+        });
+        let responses = responses.collect();
+        Some(ImpactEquations { meeting, responses })
+    }
+
     fn guard(&self, graph: &mut Graph, forms: &mut ExplicitForms, guard: &Guard) -> GuardEquations {
         let scope = ResetScope {
             mechanism: self.mechanism,
@@ -180,16 +229,34 @@ impl ModeScope<'_> {
             from: self.number,
             state: self.state,
         };
+        let contacts = ContactScope {
+            mechanism: self.mechanism,
+            inertia: self.inertia,
+            motion: self.motion(),
+            state: self.state,
+        };
         GuardEquations {
+            pressed: contacts.pressed(graph, forms, self.mode(), &[guard.value]),
             name: guard.name.clone(),
             unit: guard.unit.clone(),
             value: forms.value(graph, guard.value),
             rate: forms.rate(graph, guard.value),
-            scale: guard.scale,
+            scale: guard.scale.unwrap_or(1.0),
             priority: guard.priority,
             fires: guard.fires,
-            ways: guard.branches.iter().map(|branch| scope.way(graph, forms, branch)).collect(),
+            closes: guard.closes,
+            ways: (guard.branches.iter())
+                .map(|branch| Way {
+                    releases: self.released(graph, guard, branch),
+                    ..scope.way(graph, forms, branch)
+                })
+                .collect(),
             sounds: guard.sounds.map(|it| forms.value(graph, it)),
         }
     }
+}
+
+fn change(place: Place, accelerations: &[Node], none: Node) -> Node {
+    let Place::Speed(j) = place else { return none };
+    accelerations[usize::from(j)]
 }

@@ -34,6 +34,10 @@ pub(super) fn leave_out(mechanism: &mut Mechanism, gone: &[usize]) {
         mode.guards =
             std::mem::take(&mut mode.guards).into_iter().filter_map(|it| led(it, &now)).collect();
     }
+    for family in &mut mechanism.instrument.impacts.families {
+        let members = family.members.iter().filter_map(|(mode, bits)| Some((now(*mode)?, *bits)));
+        family.members = members.collect();
+    }
     for output in &mut mechanism.outputs {
         keep(&mut output.values, gone);
     }

@@ -24,6 +24,7 @@ mod numeric;
 mod poses;
 mod projection;
 mod reset;
+mod scales;
 mod singular;
 mod sinking;
 mod speed_checks;
@@ -106,6 +107,7 @@ fn derived(
     if !errors.is_empty() {
         return Err(errors);
     }
+    scales::settle(graph, &mechanism, &mut modes);
     let coordinates = state.iter().filter(|it| matches!(it, Place::Coordinate(_))).count();
     Ok(EquationSystem { mechanism, state, coordinates, modes })
 }

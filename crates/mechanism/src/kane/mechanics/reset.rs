@@ -76,7 +76,7 @@ impl ResetScope<'_> {
         let impulse = found.map_or(zero, |found| here.of(graph, found.impulse));
         let mut branch = branch.clone();
         branch.when = branch.when.map(|when| forms.value(graph, when));
-        Way { branch, state, impulse }
+        Way { branch, state, impulse, releases: None }
     }
 
     /// Returns every coordinate and speed before the impact, current or set by the description.

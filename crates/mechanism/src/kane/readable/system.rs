@@ -151,6 +151,13 @@ impl Page<'_> {
             let to = self.system.mechanism.modes.get(way.branch.to);
             let to = to.map_or("", |it| it.name.as_str());
             let where_to = way.branch.when.map_or("", |_| " where `when` is positive");
+            if guard.closes.is_some() {
+                let name = &guard.name;
+                self.say(format!(
+                    "{name} closes: the law of impacts gives speeds and the next mode"
+                ));
+                continue;
+            }
             let heading = format!("{} leads to {to}{where_to}; after it", guard.name);
             self.section(heading.clone());
             let before = self.wanted.len();

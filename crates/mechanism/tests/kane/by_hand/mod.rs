@@ -84,7 +84,7 @@ impl Draft {
 
     pub fn way(to: usize, state: &[Node], impulse: Node) -> Way {
         let branch = GuardBranch { when: None, to, set: Vec::new(), impact: None };
-        Way { branch, state: state.to_vec(), impulse }
+        Way { branch, state: state.to_vec(), impulse, releases: None }
     }
 
     pub fn same(&mut self) -> Vec<Node> {
@@ -109,6 +109,8 @@ pub fn guard(name: &str, [value, rate]: [Node; 2], way: Way) -> GuardEquations {
         scale: 1.0,
         priority: 0,
         fires: Fires::WhileNegative,
+        pressed: Vec::new(),
+        closes: None,
         ways: vec![way],
         sounds: None,
     }

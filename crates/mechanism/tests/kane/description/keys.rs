@@ -66,7 +66,7 @@ force = { stretch = "y", force = "1 N", energy = "1 N*y", @forces = 1 }
 
 [contacts]
 contact = { gap = "y", stiffness = "1 N/m", @contacts = 1, friction = { slip = "v", stiction = "1 N", kinetic = "1 N", @contacts = 1 } }
-stop = { gap = "h", rigid = true, restitution = 0.5, @contacts = 1 }
+stop = { gap = "h", rigid = true, restitution = 0.5, @contacts = 1, friction = { slip = "v", coefficient = 1, kinetic = 1, @contacts = 1 } }
 
 [frictions]
 bearing = { slip = "v", stiction = "1 N", kinetic = "1 N", @frictions = 1 }

@@ -1,17 +1,18 @@
 //! Rigid contacts that close together, or against each other, at one instant.
 //!
 //! Contacts i = 0 .. N close with the velocities v (negative closes), and impulses p ≥ 0 change
-//! them by G p, with the Delassus matrix G = J M⁻¹ Jᵀ: `v⁺ = v + G p`. Two laws complete this, and
+//! them by G p, with the Delassus matrix G = J M⁻¹ Jᵀ: `v⁺ = v + G p`. Three laws complete this, and
 //! differ as soon as contacts touch each other:
 //!
 //! | law | statement | a row of equal balls, e = 1, one of them arrives |
 //! |---|---|---|
 //! | [`Contacts::sequential`] | one by one, each Newton's `vᵢ⁺ = −eᵢ vᵢ` | the last ball leaves |
 //! | [`Contacts::simultaneous`] | `v⁺ + e v ≥ 0`, `p ≥ 0`, one zero | the first bounces back |
+//! | [`Contacts::in_phases`] | impulses to a stop, then `e` times as much | the first bounces back |
 //!
 //! The first is the limit of contacts with small gaps between them, the second Newton's law as
-//! Moreau wrote it for many contacts `[Mor88]`, a linear complementarity problem `[PG96]`,
-//! `[Bro16]`. After both, no contact closes, no impulse has pulled, and no energy was generated.
+//! Moreau wrote it for many contacts `[Mor88]`, the third Poisson's: linear complementarity problems
+//! `[PG96]`, `[Bro16]`. After each, no contact closes, no impulse has pulled, and no energy was generated.
 //!
 //! # Where a law alone has no end
 //!
@@ -48,6 +49,7 @@
 
 mod complementarity;
 mod jacobian;
+mod phases;
 mod sequence;
 mod simultaneous;
 
@@ -58,6 +60,18 @@ const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
 /// Fraction of the largest velocity below which closing counts as closed, for parallel contacts.
 const CLOSED: f64 = 1e-9;
+
+/// Law of the impacts of one instant.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum ImpactLaw {
+    /// [`Contacts::sequential`]
+    Sequential,
+    /// [`Contacts::simultaneous`]
+    #[default]
+    Newton,
+    /// [`Contacts::in_phases`]
+    Poisson,
+}
 
 /// Rigid contacts at one instant, before their impacts.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -94,6 +108,18 @@ pub struct Resolved<const N: usize> {
 }
 
 impl<const N: usize> Contacts<N> {
+    /// Resolves the impacts by `law`.
+    ///
+    /// # Real-time
+    /// That of the law's own function.
+    pub fn resolved(&self, law: ImpactLaw) -> Resolved<N> {
+        match law {
+            ImpactLaw::Sequential => self.sequential(),
+            ImpactLaw::Newton => self.simultaneous(),
+            ImpactLaw::Poisson => self.in_phases(),
+        }
+    }
+
     /// Restricts the impacts to the contacts that touch: the others take no impulse.
     #[must_use]
     pub fn among(mut self, touches: [bool; N]) -> Self {

@@ -16,6 +16,11 @@ impl<const N: usize> Contacts<N> {
             let (ending, idle) = (ImpactEnding::SmallestRestitution, self.untouched());
             self.newton(&[smallest; N], ending).unwrap_or(idle)
         });
+        self.ended(resolved)
+    }
+
+    /// Ends closing that the law has left by the plastic law.
+    pub(super) fn ended(&self, resolved: Resolved<N>) -> Resolved<N> {
         let sizes = self.sizes(&resolved.impulses);
         let is_over = resolved.velocities.iter().zip(sizes).all(|(v, size)| *v >= -ROUNDING * size);
         self.checked(if is_over { resolved } else { self.ended_plastically(resolved) })
@@ -32,7 +37,7 @@ impl<const N: usize> Contacts<N> {
     }
 
     /// Returns `true` if the impulses do work on the bodies, p (v + v⁺) / 2.
-    fn gains_energy(&self, resolved: &Resolved<N>) -> bool {
+    pub(super) fn gains_energy(&self, resolved: &Resolved<N>) -> bool {
         let (mut work, mut size) = (0.0, 0.0);
         let sizes = self.sizes(&resolved.impulses);
         for (i, impulse) in resolved.impulses.iter().enumerate() {
@@ -42,7 +47,7 @@ impl<const N: usize> Contacts<N> {
         work > ROUNDING * size
     }
 
-    fn smallest_restitution(&self) -> f64 {
+    pub(super) fn smallest_restitution(&self) -> f64 {
         let moved = (0..N).filter(|i| self.delassus[*i][*i] > 0.0);
         moved.map(|i| self.restitution_at(i)).fold(1.0, f64::min)
     }

@@ -1,4 +1,4 @@
-//! Contacts of random bodies under both laws.
+//! Contacts of random bodies under all laws.
 
 use pode::contacts::restitution::{ContactJacobian, Contacts, ImpactEnding, Resolved};
 use proptest::prelude::*;
@@ -87,6 +87,7 @@ macro_rules! random_contacts {
                     let (sequence, at_once) = (contacts.sequential(), contacts.simultaneous());
                     check(&jacobian, (&masses, &speeds), &sequence)?;
                     check(&jacobian, (&masses, &speeds), &at_once)?;
+                    check(&jacobian, (&masses, &speeds), &contacts.in_phases())?;
                     if at_once.ending == ImpactEnding::Law {
                         check_newton(&contacts, &at_once)?;
                     }
