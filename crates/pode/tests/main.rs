@@ -43,7 +43,6 @@ mod properties;
 mod quantised;
 mod rules;
 mod run;
-mod several_roots;
 mod shaker;
 mod simultaneous;
 mod sliding;

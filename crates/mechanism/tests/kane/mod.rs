@@ -17,7 +17,6 @@ mod evaluation;
 mod grand;
 mod guard_bounds;
 mod impacts;
-mod lagrange;
 mod named_forces;
 mod oracle;
 mod passivity;

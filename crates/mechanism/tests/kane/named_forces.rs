@@ -1,5 +1,7 @@
 //! Forces by name are those that move the model: their powers are what is stored and lost.
 
+use std::fmt::Write as _;
+
 use documents::toml::{FindingList, TextPlace, TomlSource, parse};
 use pode::contacts::{ContactMode, MAX_CONTACTS, WithContacts};
 use pode::stepper::Dop853;
@@ -92,7 +94,8 @@ impl Watch<Built> for PowerBalance {
 fn balance(name: &str, elements: &[(String, String)]) -> PowerBalance {
     let mut text = format!("name = \"powers\"\nbase = \"{name}\"\n[outputs]\n");
     for (i, (element, rate)) in elements.iter().enumerate() {
-        text += &format!("f{i} = {{ value = \"{element}\" }}\nr{i} = {{ value = \"{rate}\" }}\n");
+        writeln!(text, "f{i} = {{ value = \"{element}\" }}").expect("text grows");
+        writeln!(text, "r{i} = {{ value = \"{rate}\" }}").expect("text grows");
     }
     let it = ShippedModel::of(described(&text).program);
     let values = it.values(0, 39);
@@ -183,7 +186,7 @@ fn surfaces_and_clocks_that_move_by_themselves_supply() {
     let (structure, x) = model.system().at_rest(&still);
     assert_eq!(x[it.table.coordinates + 1], 0.1, "x' at the start");
     let (mode, x) = model.start(structure, &x, &still);
-    let powers = PowerBalance { still: model.clone(), pairs: Vec::new(), largest: 0.0, off: 0.0 };
+    let powers = PowerBalance { still: model, pairs: Vec::new(), largest: 0.0, off: 0.0 };
     let mut audit = EnergyAudit::default();
     let mut simulator = Simulator::new(model, Dop853, Limits::default(), mode, x);
     let mut stuck = 0;

@@ -87,7 +87,7 @@ fn mode() -> ModeTable {
         }],
         part_list: vec![Part::WHOLE],
         forces: ForceTable { readout: READOUT, slopes: SLOPES, outputs: OUTPUTS, balance: BALANCE },
-        jacobian: JACOBIAN,
+        jacobian: Some(JACOBIAN),
         kind: EquationKind::Conservative,
         guards: vec![GuardTable {
             id: 3,

@@ -13,14 +13,16 @@ use crate::kane::mechanism::{Mechanism, Mode};
 
 const ROUNDING: f64 = 1e-9;
 
-/// Condition that is linear in the speeds: slopes · (speeds, input's rate) + rest = 0.
+/// Condition that is linear in the speeds: slopes · speeds + rest = 0.
 #[derive(Clone, Debug)]
 pub(super) struct VelocityRow {
     /// Constraint of which this is the rate; `None` for the condition of a solved coordinate.
     pub(super) constraint: Option<usize>,
     /// Speed of the stated coordinate with this condition.
     pub(super) stated: Option<usize>,
+    /// Slopes by all speeds, and by the input's rate.
     pub(super) slopes: Vec<Node>,
+    /// Rate where all speeds are 0, with the input's part.
     pub(super) rest: Node,
 }
 
@@ -70,8 +72,8 @@ impl VelocityRow {
     /// Returns the rate of the row's constraint.
     pub(super) fn rate(&self, graph: &mut Graph, mechanism: &Mechanism) -> Node {
         let mut terms = vec![(self.rest, 1.0)];
-        for (place, slope) in rates(mechanism).into_iter().zip(&self.slopes) {
-            let symbol = graph.symbol(place);
+        for (j, slope) in self.slopes[..mechanism.speeds.len()].iter().enumerate() {
+            let symbol = graph.symbol(Place::Speed(number(j)));
             terms.push((graph.multiply(*slope, symbol), 1.0));
         }
         graph.sum(&terms)
