@@ -42,6 +42,10 @@ fn elements(text: &str) -> Vec<(String, String)> {
             all.extend(slip.map(|it| (format!("friction({})", entry.name), format!("-({it})"))));
         }
     }
+    for entry in tree.get("frictions").and_then(|it| it.node.entries()).unwrap_or_default() {
+        let slip = entry.node.get("slip").and_then(|it| it.node.text()).expect("a slip");
+        all.push((format!("force({})", entry.name), format!("-({slip})")));
+    }
     all
 }
 

@@ -56,7 +56,6 @@ fn a_pendulum_in_x_and_y_keeps_its_energy_through_the_bottom_and_the_sides() {
             ("tsitouras5", 1e-11),
             ("rk4", 1e-8),
             ("by-need", 2e-3),
-            ("exponential-rosenbrock", 2e-3),
             ("linear-implicit-midpoint", 2e-3),
         ] {
             let method = Any::named(name).expect("a method");

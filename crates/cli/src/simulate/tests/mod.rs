@@ -180,6 +180,15 @@ fn the_summary_is_one_json_object() {
 }
 
 #[test]
+fn rounding_of_a_conservative_motion_is_no_error() {
+    let words = ["bouncing-ball", "--set", "restitution=1", "--until", "5", "--step", "1e-3"];
+    let audit = &summary(&words)["energy_audit"];
+    let [error, moved] = ["error", "turned_over"].map(|it| audit[it].as_f64().expect("a number"));
+    assert!((moved - 9.81).abs() < 0.1 && error < 1e-12, "{audit}");
+    assert!(!simulate(&words).expect("a run").contains("wrong"));
+}
+
+#[test]
 fn capped_ticks_are_a_failure_that_says_what_to_do_and_leaves_its_files() {
     let folder = Folder::new("capped");
     let out = folder.path("traj.csv");

@@ -95,7 +95,8 @@ fn chosen(
         surface(graph, poses, state, (&mode.derivative, *condition))
     };
     let mut all: Vec<_> = conditions.iter().map(|it| surface(graph, it)).collect();
-    if all.len() > MAX_FRICTIONS || !is_linear_on_each_side(graph, state, mode) {
+    let has_kinks = all.iter().any(|it| !it.jumps);
+    if has_kinks && (all.len() > MAX_FRICTIONS || !is_linear_on_each_side(graph, state, mode)) {
         all.retain(|it| it.jumps);
     }
     all.sort_by_key(|it| (!it.turns, !it.jumps));
