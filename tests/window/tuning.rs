@@ -163,6 +163,7 @@ fn let_off_moves_by_two_steps_over_the_top_octave_and_no_hammer_blocks() {
         let value = window.value(Role::TextInput, "let-off value");
         value.trim_end_matches(" mm").parse::<f64>().expect("a length in mm")
     };
+    window.wait("the let-off", |window| window.has("let-off value"));
     let before = reading(&window);
     // A point of the slider moves less than a step: the field shows each step.
     let from = window.rect_of(Role::Slider, "let-off").center();

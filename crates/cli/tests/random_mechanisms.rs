@@ -3,7 +3,7 @@
 //!
 //! `LETOFF_RANDOM_SECONDS` is how long to go on (s), `LETOFF_RANDOM_SEED` the first seed.
 
-use std::fmt::Write as _;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -24,108 +24,108 @@ const NEAR: f64 = 1e-4;
 struct Dice(u64);
 
 impl Dice {
-    fn roll(&mut self) -> f64 {
+    fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
     }
 
     fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.roll()
-    }
-
-    fn index(&mut self, count: usize) -> usize {
-        (self.roll() * count as f64) as usize
+        low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 
-/// Masses on a line, with springs, branches, walls, and one that swings on a rod.
-fn description(dice: &mut Dice) -> (String, Vec<String>) {
-    let n = 1 + dice.index(3);
-    let swings = dice.index(3) == 0;
-    let mut it = format!(
-        "name = \"random\"\nsummary = \"masses on a line\"\ngravity = [\"{:.3} m/s^2\", \"-9.81 m/s^2\"]\n",
-        dice.between(-9.0, 9.0)
-    );
-    let (mut coordinates, mut frames, mut bodies, mut springs, mut forces, mut contacts, mut rest) =
-        <(String, String, String, String, String, String, String)>::default();
-    let mut speeds = Vec::new();
-    let mut coordinate = |name: &str, at: f64, speed: f64| {
-        let _ = writeln!(
-            coordinates,
-            "{name} = {{ unit = \"m\", range = [\"-3 m\", \"3 m\"], speed_range = [\"-20 m/s\", \"20 m/s\"] }}"
-        );
-        let _ = writeln!(rest, "{name} = \"{at:.4} m\"");
-        speeds.push(format!("{name}'={speed:.4}"));
-    };
-    for i in 0..n {
-        let at = 0.3 * i as f64;
-        let speed = dice.between(-2.0, 2.0);
-        coordinate(&format!("x{i}"), at, speed);
-        let _ = writeln!(frames, "b{i} = {{ in = \"ground\", origin = [\"x{i}\", \"0 m\"] }}");
-        let _ = writeln!(
-            bodies,
-            "b{i} = {{ frame = \"b{i}\", mass = \"{:.3} kg\" }}",
-            dice.between(0.1, 2.0)
-        );
-        let _ = writeln!(
-            springs,
-            "s{i} = {{ stretch = \"x{i} - {at:.3} m\", stiffness = \"{:.1} N/m\", damping = \"{:.3} N*s/m\" }}",
-            dice.between(10.0, 2000.0),
-            dice.between(0.0, 1.0)
-        );
-        let (place, force) = (at + dice.between(-0.05, 0.05), dice.between(0.5, 5.0));
-        let law = match dice.index(5) {
-            0 => format!(
-                "force = \"if(x{i} > {place:.4} m, {force:.2} N, 0 N)\", energy = \"if(x{i} > {place:.4} m, {force:.2} N*(x{i} - {place:.4} m), 0 J)\""
-            ),
-            1 => format!(
-                "force = \"{force:.2} kN/m*max(x{i} - {place:.4} m, 0 m)\", energy = \"0.5*{force:.2} kN/m*max(x{i} - {place:.4} m, 0 m)^2\""
-            ),
-            2 => format!("force = \"{force:.2} N*sign(x{i}')\", energy = \"0 J\""),
-            3 => format!(
-                "force = \"{force:.2} N*sign(x{i} - {place:.4} m)\", energy = \"{force:.2} N*abs(x{i} - {place:.4} m)\""
-            ),
-            _ => continue,
-        };
-        let _ = writeln!(forces, "f{i} = {{ stretch = \"x{i}\", {law} }}");
-    }
-    for i in 0..n {
-        let gap = match dice.index(3) {
-            0 if i + 1 < n => format!("x{} - x{i} - 0.2 m", i + 1),
-            1 => format!("{:.4} m - x{i}", 0.3 * i as f64 + dice.between(0.01, 0.1)),
-            _ => continue,
-        };
-        let restitution = [0.0, dice.between(0.2, 0.9)][dice.index(2)];
-        let _ = writeln!(
-            contacts,
-            "c{i} = {{ gap = \"{gap}\", rigid = true, restitution = {restitution:.3} }}"
-        );
-    }
-    if swings {
-        let (angle, speed) = (dice.between(-3.0, 3.0), dice.between(-8.0, 8.0));
-        coordinate("u", angle.sin(), speed * angle.cos());
-        coordinate("v", -angle.cos(), speed * angle.sin());
-        frames += "bob = { in = \"ground\", origin = [\"u\", \"v\"] }\n";
-        bodies += "bob = { frame = \"bob\", mass = \"0.5 kg\" }\n";
-        it += "[constraints]\nrod = { zero = \"u^2 + v^2 - 1 m^2\" }\n";
-    }
-    for (table, text) in [
-        ("coordinates", coordinates),
-        ("frames", frames),
-        ("bodies", bodies),
-        ("springs", springs),
-        ("forces", forces),
-        ("contacts", contacts),
-        ("rest", format!("start = true\n{rest}")),
-    ] {
-        if !text.is_empty() {
-            let _ = writeln!(it, "[{table}]\n{text}");
+/// Lines of a description by their tables, and its start speeds.
+#[derive(Default)]
+struct RandomMechanism {
+    tables: BTreeMap<&'static str, Vec<String>>,
+    speeds: Vec<(String, f64)>,
+}
+
+impl RandomMechanism {
+    /// Masses on a line, with springs, branches and rigid contacts, and one that swings on a rod.
+    fn new(dice: &mut Dice) -> Self {
+        let mut it = Self::default();
+        let n = 1 + dice.next() % 3;
+        for i in 0..n {
+            it.mass(dice, i);
+            it.contact(dice, i, n);
         }
+        if dice.next().is_multiple_of(3) {
+            it.pendulum(dice);
+        }
+        it
     }
-    (it, speeds)
+
+    fn add(&mut self, table: &'static str, line: String) {
+        self.tables.entry(table).or_default().push(line);
+    }
+
+    fn coordinate(&mut self, name: &str, at: f64, speed: f64) {
+        let ranges = "range = [\"-3 m\", \"3 m\"], speed_range = [\"-20 m/s\", \"20 m/s\"]";
+        self.add("coordinates", format!("{name} = {{ unit = \"m\", {ranges} }}"));
+        self.add("rest", format!("{name} = \"{at:.4} m\""));
+        self.speeds.push((format!("{name}'"), speed));
+    }
+
+    fn mass(&mut self, dice: &mut Dice, i: u64) {
+        let at = 0.3 * i as f64;
+        self.coordinate(&format!("x{i}"), at, dice.between(-3.0, 3.0));
+        self.add("frames", format!("b{i} = {{ in = \"ground\", origin = [\"x{i}\", \"0 m\"] }}"));
+        let mass = dice.between(0.1, 2.0);
+        self.add("bodies", format!("b{i} = {{ frame = \"b{i}\", mass = \"{mass:.3} kg\" }}"));
+        let stiffness = dice.between(10.0, 2000.0);
+        let law = format!("stiffness = \"{stiffness:.1} N/m\", damping = \"0.3 N*s/m\"");
+        self.add("springs", format!("s{i} = {{ stretch = \"x{i} - {at:.3} m\", {law} }}"));
+        let place = format!("{:.4} m", at + dice.between(-0.05, 0.05));
+        let force = format!("{:.2} N", dice.between(0.5, 5.0));
+        let [law, energy] = match dice.next() % 5 {
+            0 => [
+                format!("if(x{i} > {place}, {force}, 0 N)"),
+                format!("if(x{i} > {place}, {force}*(x{i} - {place}), 0 J)"),
+            ],
+            1 => [
+                format!("{force}*max(x{i} - {place}, 0 m)/(1 mm)"),
+                format!("{force}*max(x{i} - {place}, 0 m)^2/(2 mm)"),
+            ],
+            2 => [format!("{force}*sign(x{i}')"), "0 J".to_owned()],
+            3 => [format!("{force}*sign(x{i} - {place})"), format!("{force}*abs(x{i} - {place})")],
+            _ => return,
+        };
+        let law = format!("force = \"{law}\", energy = \"{energy}\"");
+        self.add("forces", format!("f{i} = {{ stretch = \"x{i}\", {law} }}"));
+    }
+
+    fn contact(&mut self, dice: &mut Dice, i: u64, n: u64) {
+        let gap = match dice.next() % 3 {
+            0 if i + 1 < n => format!("x{} - x{i} - 0.25 m", i + 1),
+            1 => format!("{:.4} m - x{i}", 0.3 * i as f64 + dice.between(0.01, 0.1)),
+            _ => return,
+        };
+        let restitution = [0.0, dice.between(0.2, 0.9)][usize::from(dice.next().is_multiple_of(2))];
+        let law = format!("rigid = true, restitution = {restitution:.3}");
+        self.add("contacts", format!("c{i} = {{ gap = \"{gap}\", {law} }}"));
+    }
+
+    fn pendulum(&mut self, dice: &mut Dice) {
+        let (angle, speed) = (dice.between(-3.0, 3.0), dice.between(-8.0, 8.0));
+        self.coordinate("u", angle.sin(), speed * angle.cos());
+        self.coordinate("v", -angle.cos(), speed * angle.sin());
+        self.add("frames", "bob = { in = \"ground\", origin = [\"u\", \"v\"] }".to_owned());
+        self.add("bodies", "bob = { frame = \"bob\", mass = \"0.5 kg\" }".to_owned());
+        self.add("constraints", "rod = { zero = \"u^2 + v^2 - 1 m^2\" }".to_owned());
+    }
+
+    fn text(&self) -> String {
+        let table = |(name, lines): (&&str, &Vec<String>)| {
+            let start = if *name == "rest" { "start = true\n" } else { "" };
+            format!("[{name}]\n{start}{}\n", lines.join("\n"))
+        };
+        let head =
+            "name = \"random\"\nsummary = \"masses on a line\"\ngravity = [\"0\", \"-9.81 m/s^2\"]";
+        format!("{head}\n{}", self.tables.iter().map(table).collect::<String>())
+    }
 }
 
 /// Events of a run by name and time, or what the program reported instead.
@@ -133,16 +133,13 @@ type Outcome = Result<Vec<(String, f64)>, String>;
 
 struct Bench {
     folder: PathBuf,
-    speeds: Vec<String>,
+    speeds: Vec<(String, f64)>,
 }
 
 impl Bench {
     fn run(&self, method: &str, step: f64, factor: f64) -> Outcome {
         let events = self.folder.join("events.csv");
-        let start = |it: &String| {
-            let (name, speed) = it.split_once('=').expect("a speed");
-            format!("{name}={}", factor * speed.parse::<f64>().expect("a number"))
-        };
+        let start = |(name, speed): &(String, f64)| format!("{name}={}", factor * speed);
         let output = Command::new(env!("CARGO_BIN_EXE_letoff"))
             .arg("simulate")
             .arg(self.folder.join("it.toml"))
@@ -198,9 +195,9 @@ fn random_mechanisms_have_one_sequence_by_all_methods() {
         if patience < begun.elapsed() {
             break;
         }
-        let (text, speeds) = description(&mut Dice(seed));
-        fs::write(folder.join("it.toml"), &text).expect("a file");
-        let bench = Bench { folder: folder.clone(), speeds };
+        let mechanism = RandomMechanism::new(&mut Dice(seed));
+        fs::write(folder.join("it.toml"), mechanism.text()).expect("a file");
+        let bench = Bench { folder: folder.clone(), speeds: mechanism.speeds };
         let Ok(reference) = bench.run("dop853", STEP / 100.0, 1.0) else {
             reported += 1;
             continue;

@@ -138,7 +138,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
     ) -> [f64; N] {
         let table = self.mode_table(mode);
         let mut rates = [0.0; N];
-        self.call(table.averaged.unwrap_or(table.derivative), x, input, &mut rates);
+        self.call(table.forces.averaged.unwrap_or(table.derivative), x, input, &mut rates);
         for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
             self.add_normal(contact.normal, x, input, &mut rates);
         }

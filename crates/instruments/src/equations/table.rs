@@ -200,8 +200,6 @@ pub struct ModeTable {
     pub name: &'static str,
     /// Computes the derivative of the whole state, without contacts.
     pub derivative: FunctionId,
-    /// Computes the derivative between the sides of all switches; `None` without any.
-    pub averaged: Option<FunctionId>,
     /// Entries that move by equations; empty in a mode without degrees of freedom.
     pub parts: Vec<PartTable>,
     /// The same parts without their own natures.
@@ -252,6 +250,8 @@ pub struct ForceTable {
     pub outputs: FunctionId,
     /// Computes energy (J), supplied and dissipated power (W).
     pub balance: FunctionId,
+    /// Computes the derivative between the sides of all switches; `None` without any.
+    pub averaged: Option<FunctionId>,
 }
 
 impl ModeTable {
@@ -260,7 +260,6 @@ impl ModeTable {
     pub const NOTHING: Self = Self {
         name: "",
         derivative: Self::NO_FUNCTION,
-        averaged: None,
         parts: Vec::new(),
         part_list: Vec::new(),
         constraints: ConstraintTable {
@@ -275,6 +274,7 @@ impl ModeTable {
             slopes: Self::NO_FUNCTION,
             outputs: Self::NO_FUNCTION,
             balance: Self::NO_FUNCTION,
+            averaged: None,
         },
         jacobian: Some(Self::NO_FUNCTION),
         series: None,

@@ -208,7 +208,7 @@ x = "0.3 m"
 y = "0.4 m"
 "#;
     let printed = system_equations(&described(text).system, Notation::Text);
-    assert!(printed.contains("+ force(belt)/(") && printed.contains("1/3*x"), "{printed}");
+    assert!(printed.contains("*force(belt)") && printed.contains("1/3*x"), "{printed}");
     assert!(!printed.contains("drift_") && !printed.contains("0.333"), "{printed}");
     for speed in ["x'", "y'"] {
         assert!(printed.matches(&format!("\n    {speed} = ")).count() <= 1, "{printed}");

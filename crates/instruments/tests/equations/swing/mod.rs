@@ -86,7 +86,13 @@ fn mode() -> ModeTable {
             reads: Reads::StateAndInput,
         }],
         part_list: vec![Part::WHOLE],
-        forces: ForceTable { readout: READOUT, slopes: SLOPES, outputs: OUTPUTS, balance: BALANCE },
+        forces: ForceTable {
+            readout: READOUT,
+            slopes: SLOPES,
+            outputs: OUTPUTS,
+            balance: BALANCE,
+            averaged: None,
+        },
         jacobian: Some(JACOBIAN),
         kind: EquationKind::Conservative,
         guards: vec![GuardTable {

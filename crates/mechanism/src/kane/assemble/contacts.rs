@@ -179,17 +179,6 @@ fn friction(
     table.slip_bound = Some(bound);
     table.limits = Some(builder.add(graph, functions, &format!("{name}_limits"), &limits)?);
     table.response = Some(builder.add(graph, functions, &format!("{name}_response"), &response)?);
-    table.pressed = pressed(graph, functions, builder, (name, &friction.pressed))?;
+    table.pressed = guards::pressed(graph, functions, builder, (name, &friction.pressed))?;
     Ok(())
-}
-
-/// Adds the function of what frictions add to a limit or guard; `None` if that is nothing.
-pub(super) fn pressed(
-    graph: &mut Graph,
-    functions: &mut FunctionList,
-    builder: &ModeBuilder<'_>,
-    (name, nodes): (&str, &[Node]),
-) -> Result<Option<FunctionId>, AssemblyError> {
-    let function = || builder.add(graph, functions, &format!("{name}_pressed"), nodes);
-    (!nodes.is_empty()).then(function).transpose()
 }

@@ -1,6 +1,6 @@
 //! What ends a mode, and where that leads.
 
-use instruments::equations::table::{GuardTable, ImpactTable, RestingTable, WayTable};
+use instruments::equations::table::{FunctionId, GuardTable, ImpactTable, RestingTable, WayTable};
 use pode::{GuardId, GuardSpec, Reads};
 
 use super::builder::{ModeBuilder, ModeContext};
@@ -61,7 +61,7 @@ fn guard(
         bound: (guard.pressed.is_empty())
             .then(|| bound(graph, functions, builder, (name, guard.value)))
             .transpose()?,
-        pressed: super::contacts::pressed(graph, functions, builder, (name, &guard.pressed))?,
+        pressed: pressed(graph, functions, builder, (name, &guard.pressed))?,
         ways,
         sounds: sounds.transpose()?,
     })
@@ -80,7 +80,7 @@ pub(super) fn bound(
     functions: &mut FunctionList,
     builder: &ModeBuilder<'_>,
     (name, value): (&str, Node),
-) -> Result<instruments::equations::table::FunctionId, AssemblyError> {
+) -> Result<FunctionId, AssemblyError> {
     let value = builder.state.replaced(graph, &[value])[0];
     let bounds = Bounds::new(graph, builder.context.places).of(graph, value);
     builder.add(graph, functions, &format!("{name}_bound"), &bounds)
@@ -208,4 +208,15 @@ fn resting_mode(
         own.sort_unstable();
         number != to && own == wanted
     })
+}
+
+/// Adds the function of what frictions add to a limit or guard; `None` if that is nothing.
+pub(super) fn pressed(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, nodes): (&str, &[Node]),
+) -> Result<Option<FunctionId>, AssemblyError> {
+    let function = || builder.add(graph, functions, &format!("{name}_pressed"), nodes);
+    (!nodes.is_empty()).then(function).transpose()
 }

@@ -64,9 +64,6 @@ fn motion(
     if !averaged.is_empty() && is_linear_in_state(graph, state, averaged) {
         kind = EquationKind::Linear;
     }
-    let averaged = (!averaged.is_empty())
-        .then(|| builder.add(graph, functions, "averaged", averaged))
-        .transpose()?;
     let derivative = builder.add(graph, functions, "derivative", rates)?;
     let moving = Moving {
         name: builder.name,
@@ -82,7 +79,6 @@ fn motion(
     let slaved = slaved.map(|slaved| builder.add(graph, functions, "slaved", slaved));
     Ok(ModeTable {
         derivative,
-        averaged,
         parts,
         part_list,
         constraints: ConstraintTable {
@@ -126,11 +122,14 @@ fn forces(
         [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
     let balance = [equations.energy, equations.supplied, equations.dissipated]
         .map(|node| node.unwrap_or(zero));
+    let averaged = (!equations.averaged.is_empty())
+        .then(|| builder.add(graph, functions, "averaged", &equations.averaged));
     Ok(ForceTable {
         readout: builder.add(graph, functions, "readout", &[readout])?,
         slopes: builder.add(graph, functions, "slopes", &slopes)?,
         outputs: builder.add(graph, functions, "outputs", &equations.outputs)?,
         balance: builder.add(graph, functions, "balance", &balance)?,
+        averaged: averaged.transpose()?,
     })
 }
 

@@ -32,7 +32,7 @@ pub(super) fn add(
     for mode in modes {
         let mut rates = mode.derivative.clone();
         let mut chosen = chosen(graph, &poses, state, mode);
-        let known = |it: &Surface, contacts: &[MechanismContact]| {
+        let known = |it: &SwitchSurface, contacts: &[MechanismContact]| {
             let slips =
                 contacts.iter().skip(first).map(|it| it.friction.as_ref().map(|it| it.slip));
             slips.clone().position(|slip| slip == Some(it.condition)).map(|at| first + at)
@@ -74,7 +74,7 @@ pub(super) fn add(
 
 /// A condition and what it does where it is zero.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Surface {
+struct SwitchSurface {
     condition: Node,
     /// Its typical size.
     scale: f64,
@@ -89,7 +89,7 @@ fn chosen(
     poses: &[NumericPose],
     state: &[Place],
     mode: &ModeEquations,
-) -> Vec<Surface> {
+) -> Vec<SwitchSurface> {
     let conditions = conditions(graph, &mode.derivative);
     let surface = |graph: &mut Graph, condition: &Node| {
         surface(graph, poses, state, (&mode.derivative, *condition))
@@ -200,7 +200,7 @@ fn surface(
     poses: &[NumericPose],
     state: &[Place],
     (rates, condition): (&[Node], Node),
-) -> Surface {
+) -> SwitchSurface {
     /// Fraction of the difference of both sides elsewhere that counts as a jump.
     const JUMP: f64 = 1e-6;
     let [above, below] = sides(graph, rates, condition);
@@ -223,7 +223,7 @@ fn surface(
         turns |= is_jump && changes.iter().sum::<f64>().abs() > JUMP * sum;
     }
     let scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
-    Surface { condition, scale, jumps, turns }
+    SwitchSurface { condition, scale, jumps, turns }
 }
 
 /// The pose nearby at which `condition` is zero; `None` if there is none.
@@ -285,7 +285,7 @@ fn poses(graph: &Graph, mechanism: &Mechanism) -> Vec<NumericPose> {
     (0..COUNT).map(&mut draw).collect()
 }
 
-fn contact(graph: &mut Graph, name: String, surface: &Surface) -> MechanismContact {
+fn contact(graph: &mut Graph, name: String, surface: &SwitchSurface) -> MechanismContact {
     let one = graph.constant(1.0);
     let friction = DryFriction {
         name: name.clone(),
@@ -308,7 +308,7 @@ fn contact(graph: &mut Graph, name: String, surface: &Surface) -> MechanismConta
 fn friction(
     graph: &mut Graph,
     state: &[Place],
-    surface: &Surface,
+    surface: &SwitchSurface,
     (rates, response): (&[Node], Vec<Node>),
 ) -> FrictionEquations {
     let gradient = |graph: &mut Graph, node: Node| -> Vec<Node> {

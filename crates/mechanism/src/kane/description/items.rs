@@ -2,6 +2,7 @@
 
 use documents::toml::SourcePlace;
 
+use crate::kane::graph::Node;
 use crate::kane::mechanism::ConstraintKind;
 use crate::kane::text::{Dimension, ParsedExpression};
 
@@ -92,4 +93,30 @@ pub(super) struct ParameterText {
     pub(super) value: Option<FileExpression>,
     pub(super) place: SourcePlace,
     pub(super) dimension: Dimension,
+}
+
+/// Values that are checked once the presets are read.
+#[derive(Debug, Default)]
+pub(super) struct PlausibleValues {
+    pub(super) limits: Vec<LawLimit>,
+    pub(super) impacts: Vec<GuardedImpact>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct LawLimit {
+    pub(super) name: String,
+    pub(super) value: Node,
+    pub(super) highest: f64,
+    pub(super) place: SourcePlace,
+}
+
+/// An impact, with the guard that leads to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct GuardedImpact {
+    pub(super) mode: usize,
+    pub(super) guard: Node,
+    pub(super) rate: Node,
+    pub(super) scale: f64,
+    pub(super) separation: Node,
+    pub(super) place: SourcePlace,
 }

@@ -3,7 +3,7 @@
 use documents::quoted;
 use documents::toml::SourcePlace;
 
-use super::items::FileExpression;
+use super::items::{FileExpression, GuardedImpact, LawLimit};
 use super::names::number;
 use super::reader::MechanismReader;
 use crate::kane::graph::{Node, Place};
@@ -13,32 +13,6 @@ use crate::kane::text::{Dimension, Measured};
 
 /// Share of what a constraint can be within the ranges from which on a start contradicts it.
 const CONTRADICTION: f64 = 1e-3;
-
-/// Values that are checked once the presets are read.
-#[derive(Debug, Default)]
-pub(super) struct PlausibleValues {
-    limits: Vec<LawLimit>,
-    impacts: Vec<GuardedImpact>,
-}
-
-#[derive(Clone, Debug)]
-struct LawLimit {
-    name: String,
-    value: Node,
-    highest: f64,
-    place: SourcePlace,
-}
-
-/// An impact, with the guard that leads to it.
-#[derive(Clone, Copy, Debug)]
-struct GuardedImpact {
-    mode: usize,
-    guard: Node,
-    rate: Node,
-    scale: f64,
-    separation: Node,
-    place: SourcePlace,
-}
 
 /// Values of a preset, with the state and the mode at its start.
 #[derive(Clone, Copy, Debug)]

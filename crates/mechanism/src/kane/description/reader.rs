@@ -11,9 +11,8 @@ use documents::{Diagnostics, choice, quoted};
 
 use super::bases::{self, Bases};
 use super::configurations::FamilyNames;
-use super::items::{DescribedItem, FileExpression, FrictionText, ParameterText};
+use super::items::{DescribedItem, FileExpression, FrictionText, ParameterText, PlausibleValues};
 use super::names::NameTable;
-use super::plausible::PlausibleValues;
 use super::{Description, MOST_COORDINATES, MOST_OF_A_KIND};
 use super::{rigid, time};
 use crate::kane::graph::{Graph, Node, Substitution};
