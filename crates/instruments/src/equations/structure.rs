@@ -4,8 +4,8 @@ use core::array;
 
 use pode::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
-    FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts, MAX_FRICTIONS, SlipKind,
-    WithContacts,
+    CoupledFrictions, FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts,
+    MAX_FRICTIONS, SlipKind, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::{
@@ -251,7 +251,11 @@ impl<F: Equations + Clone, const N: usize, const C: usize> FrictionalContacts
         let [stiction, kinetic] = self.contact_values(limits, x, input).unwrap_or([0.0; 2]);
         FrictionLimits { stiction, kinetic }
     }
+}
 
+impl<F: Equations + Clone, const N: usize, const C: usize> CoupledFrictions
+    for EquationModel<F, N, C>
+{
     fn is_coupled(&self, mode: ModeNumber) -> bool {
         self.mode_table(mode).contacts.iter().any(|contact| contact.pressed.is_some())
     }

@@ -75,7 +75,7 @@
 //! Rigid contacts are not automata: they are guards and reset maps of the structure, with impulses
 //! from [`restitution`]. Slip has one direction: no friction in a plane. The normal force of a
 //! compliant contact does not depend on the friction itself; that of a rigid one does
-//! ([`FrictionalContacts::pressed_by`]).
+//! ([`CoupledFrictions::pressed_by`]).
 //!
 //! # References
 //! `[Fil88]` §4 for the slide, `[DL09]` for its end, `[PG96]` for several
@@ -102,7 +102,9 @@ pub use forces::FrictionForces;
 pub use guards::TooManyGuards;
 pub use set::{ContactIndices, ContactSet, ContactState, IndexIter, MAX_CONTACTS};
 pub use spec::{ContactGuard, ContactSpec, FrictionSpec, MAX_FRICTIONS, SlipKind};
-pub use system::{ContactSystem, FrictionLimits, FrictionalContacts, GuardedContacts};
+pub use system::{
+    ContactSystem, CoupledFrictions, FrictionLimits, FrictionalContacts, GuardedContacts,
+};
 
 use guards::GuardList;
 use point::ContactPoint;

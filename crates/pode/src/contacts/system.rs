@@ -94,8 +94,30 @@ pub trait ContactSystem: Sized {
     }
 }
 
+/// Effect of friction forces on each other's limits and on guards, as of normal forces that friction
+/// changes; without any, `impl CoupledFrictions for X {}` is enough.
+pub trait CoupledFrictions: ContactSystem {
+    /// Whether friction forces change the limits of frictions, or guards, in `structure`.
+    fn is_coupled(&self, _structure: Self::Structure) -> bool {
+        false
+    }
+
+    /// Returns what 1 N of the friction of `contact`, in the direction of positive slip, adds to
+    /// the limits of another friction, or to a guard of the structure.
+    fn pressed_by(
+        &self,
+        _structure: Self::Structure,
+        _contact: usize,
+        _pressed: ContactGuard,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> FrictionLimits {
+        FrictionLimits::coulomb(0.0)
+    }
+}
+
 /// Frictions of a mechanism; without any, `impl FrictionalContacts for X {}` is enough.
-pub trait FrictionalContacts: ContactSystem {
+pub trait FrictionalContacts: CoupledFrictions {
     /// A time (s) of little motion, over which rates of holding forces are differenced.
     const MOMENT: f64 = 1e-6;
 
@@ -157,24 +179,6 @@ pub trait FrictionalContacts: ContactSystem {
         &self,
         _structure: Self::Structure,
         _contact: usize,
-        _x: &Self::State,
-        _input: &Self::Input,
-    ) -> FrictionLimits {
-        FrictionLimits::coulomb(0.0)
-    }
-
-    /// Whether friction forces change the limits of frictions, or guards, in `structure`.
-    fn is_coupled(&self, _structure: Self::Structure) -> bool {
-        false
-    }
-
-    /// Returns what 1 N of the friction of `contact`, in the direction of positive slip, adds to
-    /// the limits of another friction, or to a guard of the structure.
-    fn pressed_by(
-        &self,
-        _structure: Self::Structure,
-        _contact: usize,
-        _pressed: ContactGuard,
         _x: &Self::State,
         _input: &Self::Input,
     ) -> FrictionLimits {

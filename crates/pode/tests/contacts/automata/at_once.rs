@@ -1,8 +1,8 @@
 //! Changes at one instant, and contacts that hold the same motion.
 
 use pode::contacts::{
-    ContactIndices, ContactSpec, ContactState, ContactSystem, FrictionSpec, FrictionalContacts,
-    GuardedContacts, WithContacts,
+    ContactIndices, ContactSpec, ContactState, ContactSystem, CoupledFrictions, FrictionSpec,
+    FrictionalContacts, GuardedContacts, WithContacts,
 };
 use pode::stepper::Rk4;
 use pode::{Advance, Cap, GuardValue, Limits, Motion, Simulator};
@@ -39,6 +39,8 @@ impl ContactSystem for Springs {
         [x[1], -(closed.len() as f64) * each * x[0] - G]
     }
 }
+
+impl CoupledFrictions for Springs {}
 
 impl FrictionalContacts for Springs {}
 impl GuardedContacts for Springs {}

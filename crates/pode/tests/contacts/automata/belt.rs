@@ -4,9 +4,9 @@
 //! motion while it sticks, and v⁺ = −e v⁻ at the stop.
 
 use pode::contacts::{
-    ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, EnergeticContacts,
-    FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts, GuardedContacts,
-    WithContacts,
+    ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, CoupledFrictions,
+    EnergeticContacts, FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts,
+    GuardedContacts, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::stepper::Exact;
@@ -73,6 +73,8 @@ impl ContactSystem for Block {
         Nature::new(EquationKind::Linear, self.omega())
     }
 }
+
+impl CoupledFrictions for Block {}
 
 impl FrictionalContacts for Block {
     fn slip(&self, (): (), _: usize, x: &[f64; 2], belt: &Motion) -> Surface<[f64; 2]> {

@@ -2,9 +2,9 @@
 //! drive the laws of friction hold at every tick, and the energy is kept.
 
 use pode::contacts::{
-    ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, EnergeticContacts,
-    FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts, GuardedContacts,
-    WithContacts,
+    ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, CoupledFrictions,
+    EnergeticContacts, FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts,
+    GuardedContacts, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::stepper::Rk4;
@@ -59,6 +59,8 @@ impl ContactSystem for Chain {
         Nature::default().with_longest_step(1e-3)
     }
 }
+
+impl CoupledFrictions for Chain {}
 
 impl FrictionalContacts for Chain {
     fn slip(&self, (): (), contact: usize, x: &[f64; 6], _: &Clock) -> Surface<[f64; 6]> {

@@ -1,8 +1,8 @@
 //! Limits of a model's lists.
 
 use pode::contacts::{
-    ContactGuard, ContactIndices, ContactSpec, ContactSystem, FrictionSpec, FrictionalContacts,
-    GuardedContacts, MAX_FRICTIONS, TooManyGuards, WithContacts,
+    ContactGuard, ContactIndices, ContactSpec, ContactSystem, CoupledFrictions, FrictionSpec,
+    FrictionalContacts, GuardedContacts, MAX_FRICTIONS, TooManyGuards, WithContacts,
 };
 use pode::{GuardId, GuardSpec, GuardValue, Guarded as _, MAX_GUARDS};
 
@@ -29,6 +29,8 @@ impl ContactSystem for Lists {
         [0.0]
     }
 }
+
+impl CoupledFrictions for Lists {}
 
 impl FrictionalContacts for Lists {}
 

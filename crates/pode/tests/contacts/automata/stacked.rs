@@ -2,8 +2,8 @@
 //! and back to rest. Under a straight rise and fall of the force, speeds are quadratics.
 
 use pode::contacts::{
-    ContactIndices, ContactSpec, ContactState, ContactSystem, FrictionLimits, FrictionSpec,
-    FrictionalContacts, GuardedContacts, WithContacts,
+    ContactIndices, ContactSpec, ContactState, ContactSystem, CoupledFrictions, FrictionLimits,
+    FrictionSpec, FrictionalContacts, GuardedContacts, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::stepper::Rk4;
@@ -56,6 +56,8 @@ impl ContactSystem for Stack {
         [x[2], x[3], self.pull(t.0) / self.m[0], 0.0]
     }
 }
+
+impl CoupledFrictions for Stack {}
 
 impl FrictionalContacts for Stack {
     fn slip(&self, (): (), contact: usize, x: &[f64; 4], _: &Clock) -> Surface<[f64; 4]> {

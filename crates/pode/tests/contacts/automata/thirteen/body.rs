@@ -6,8 +6,8 @@
 use std::cell::Cell;
 
 use pode::contacts::{
-    ContactIndices, ContactSpec, ContactSystem, FrictionLimits, FrictionSpec, FrictionalContacts,
-    GuardedContacts,
+    ContactIndices, ContactSpec, ContactSystem, CoupledFrictions, FrictionLimits, FrictionSpec,
+    FrictionalContacts, GuardedContacts,
 };
 use pode::filippov::Surface;
 use pode::{GuardValue, State as _};
@@ -181,6 +181,8 @@ impl ContactSystem for Body {
         flow
     }
 }
+
+impl CoupledFrictions for Body {}
 
 impl FrictionalContacts for Body {
     fn slip(&self, (): (), contact: usize, x: &BodyState, _: &Clock) -> Surface<BodyState> {
