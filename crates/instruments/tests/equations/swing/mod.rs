@@ -74,6 +74,14 @@ const STOP: GuardSpec = GuardSpec {
     reads: Reads::State,
 };
 
+const FORCES: ForceTable = ForceTable {
+    readout: READOUT,
+    slopes: SLOPES,
+    outputs: OUTPUTS,
+    balance: BALANCE,
+    averaged: None,
+};
+
 fn mode() -> ModeTable {
     ModeTable {
         name: "swing",
@@ -86,13 +94,7 @@ fn mode() -> ModeTable {
             reads: Reads::StateAndInput,
         }],
         part_list: vec![Part::WHOLE],
-        forces: ForceTable {
-            readout: READOUT,
-            slopes: SLOPES,
-            outputs: OUTPUTS,
-            balance: BALANCE,
-            averaged: None,
-        },
+        forces: FORCES,
         jacobian: Some(JACOBIAN),
         kind: EquationKind::Conservative,
         guards: vec![GuardTable {
