@@ -140,9 +140,9 @@ impl<'a> Running<'a> {
     }
 }
 
-/// Returns the largest change of the sent force from one tick to the next (N). A busy machine may
+/// Returns the largest change of the sent force from one tick to the next (N).
 ///
-/// skip ticks, while the key moves under a constant force; the force then settles for some ticks.
+/// A busy machine may skip ticks, while the key moves under a constant force; the force then settles for some ticks.
 fn largest_change(rows: &[[f64; 4]]) -> f64 {
     let settled = |rows: &&[[f64; 4]]| rows.windows(2).all(|pair| pair[1][0] - pair[0][0] < 1.5);
     let in_turn = rows.windows(SETTLED).filter(settled).filter_map(|rows| rows.last_chunk::<2>());

@@ -104,9 +104,9 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
     assert_eq!(found, MOST);
 }
 
-/// The first 5 s of the scene `springs`: (derivatives, guards, events). They change with a model, a
+/// The first 5 s of the scene `springs`: (derivatives, guards, events).
 ///
-/// preset, the pianist or the numerics. If intended, enter the values that the failing test prints,
+/// They change with a model, a preset, the pianist or the numerics. If intended, enter the values that the failing test prints,
 /// and explain in the commit why they grew. They are the same on every machine whose libm gives the
 /// same sines; another libm may move an event by a rounding, and a count with it.
 const GOLDEN: (u64, u64, u64) = (324_704, 7_604, 180);

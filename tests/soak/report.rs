@@ -11,9 +11,9 @@ pub(crate) struct PromiseVerdict {
     pub(crate) seen: String,
 }
 
-/// Returns the music, the intended faults, and a line for each verdict. The digest covers the
+/// Returns the music, the intended faults, and a line for each verdict.
 ///
-/// forces of all keys and every MIDI message: in virtual time a seed gives one digest.
+/// The digest covers the forces of all keys and every MIDI message: in virtual time a seed gives one digest.
 pub(crate) fn text(
     choice: &SoakChoice,
     plan: &SoakPlan,

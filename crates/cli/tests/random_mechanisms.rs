@@ -211,7 +211,7 @@ fn random_mechanisms_have_one_sequence_by_all_methods() {
             equal += 1;
             continue;
         };
-        // Whoever starts a little differently may have another sequence, as at a grazing contact.
+        // A slightly different start can lead to another sequence, as at a grazing contact.
         let is_sensitive = [1.0 - 1e-5, 1.0 + 1e-5].into_iter().any(|factor| {
             bench.run("dop853", STEP / 100.0, factor).is_ok_and(|it| !are_same(&it, &reference))
         });

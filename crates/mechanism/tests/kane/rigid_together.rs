@@ -41,7 +41,7 @@ rest = { start = true, r = "0.5 m" }
 contacts.rope = { gap = "1 m - r", rigid = true }"#,
 ];
 
-/// Three balls on a line, the first of which arrives at the others.
+/// Three balls on a line; the first strikes the other two.
 const BALLS: &str = r#"impacts = "LAW"
 coordinates.x1 = { unit = "m", range = ["-1 m", "1 m"], speed_range = ["-2 m/s", "2 m/s"] }
 coordinates.x2 = { unit = "m", range = ["-1 m", "1 m"], speed_range = ["-2 m/s", "2 m/s"] }

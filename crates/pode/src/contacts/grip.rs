@@ -102,8 +102,9 @@ impl<M: GuardedContacts> Friction<'_, M> {
         GuardValue::new(value, rate)
     }
 
-    /// Returns the side on which a state at slip zero goes on, if the force does not change the
-    /// slip's rate; `None` if it does, or if both sides drive the state back within `soon` moments.
+    /// Returns the side to which a state at zero slip moves, if the friction force does not change
+    /// the slip's rate; `None` if it does, or if both sides drive the state back within `soon`
+    /// moments.
     pub(super) fn crosses(&self, soon: f64) -> Option<ContactState> {
         let ContactPoint { system, mode, x, input } = self.point;
         let kept = system.kept(mode.structure, self.contact, x, input)?;

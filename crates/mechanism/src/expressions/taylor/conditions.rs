@@ -4,10 +4,10 @@ use super::writing::Writing;
 use crate::expressions::graph::{BinaryFunction, UnaryFunction};
 use crate::expressions::tape::{Instruction, TapeSlot};
 
-/// Levels of the argument of functions of eˣ at which a series restarts. Far from zero a softplus
+/// Levels of the argument of functions of eˣ at which a series restarts.
 ///
-/// is a straight line to the last bit, and coefficients of any order do not show the approaching
-/// corner. A step no longer than from one level to the next detects it, whatever its tolerance.
+/// Far from zero a softplus is a straight line to the last bit, and coefficients of any order do
+/// not show the approaching corner. A step no longer than from one level to the next detects it, whatever its tolerance.
 const LEVELS: [f64; 3] = [10.0, 20.0, 40.0];
 
 impl Writing {

@@ -1,8 +1,9 @@
 //! A description in TOML, read into a [`Mechanism`] with all its mistakes at once.
 //!
 //! [`read`] is the entry. In the order of processing: `documents::toml` and `bases` build one tree,
-//! `rigid` expands rigid contacts, `time` adds the coordinate `t`, `declare` collects every name with its expressions, `order`
-//! sorts items by their needs, `geometry`, `laws` and `modes` build nodes, `checks` tests numbers.
+//! `rigid` expands rigid contacts, `time` adds the coordinate `t`, `declare` collects every name
+//! with its expressions, `order` sorts items by their needs, `geometry`, `laws` and `modes` build
+//! nodes, `checks` tests numbers.
 
 mod bases;
 mod caret;
