@@ -67,15 +67,8 @@ fn hard_cases_run_right_by_five_methods() {
 impl HardCase {
     fn run(&self, folder: &Path, method: &str, step: f64) -> Result<(), String> {
         let events = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("case_events.csv");
-        let output = Command::new(env!("CARGO_BIN_EXE_letoff"))
-            .arg("simulate")
-            .arg(folder.join(format!("{}.toml", self.model)))
-            .args(["--until", &self.until.to_string(), "--step", &step.to_string()])
-            .args(["--method", method, "--json", "--events"])
-            .arg(&events)
-            .args(&self.arguments)
-            .output()
-            .expect("letoff starts");
+        let model = folder.join(format!("{}.toml", self.model));
+        let output = simulate(&model, (self.until, step), method, &events, &self.arguments);
         if self.fails.is_some() {
             let is_told = output.status.code() == self.fails && !output.stderr.is_empty();
             return is_told.then_some(()).ok_or_else(|| format!("{}", output.status));
@@ -87,10 +80,7 @@ impl HardCase {
     }
 
     fn end(&self, output: &Output, tolerance: f64) -> Result<(), String> {
-        if !output.status.success() {
-            return Err(String::from_utf8_lossy(&output.stderr).into_owned());
-        }
-        let report: Value = serde_json::from_slice(&output.stdout).expect("a report");
+        let report = report(output)?;
         for (name, expected) in &self.r#final {
             let (found, expected) = (number(&report["final"]["state"][name]), number(expected));
             let error = (found - expected).abs() / expected.abs().max(1.0);
@@ -131,6 +121,33 @@ pub(crate) fn read(events: &Path) -> Vec<(String, f64)> {
         (columns.next().expect("a guard").to_owned(), t)
     };
     text.lines().skip(1).map(row).collect()
+}
+
+/// Simulates until a time (s) in steps of a length (s), with the events in the file `events`.
+pub(crate) fn simulate(
+    model: &Path,
+    (until, step): (f64, f64),
+    method: &str,
+    events: &Path,
+    arguments: &[String],
+) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_letoff"))
+        .arg("simulate")
+        .arg(model)
+        .args(["--until", &until.to_string(), "--step", &step.to_string(), "--method", method])
+        .args(["--json", "--events"])
+        .arg(events)
+        .args(arguments)
+        .output()
+        .expect("letoff starts")
+}
+
+/// Returns the report of a run, or what it said where it failed.
+pub(crate) fn report(output: &Output) -> Result<Value, String> {
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    Ok(serde_json::from_slice(&output.stdout).expect("a report"))
 }
 
 fn number(value: &Value) -> f64 {

@@ -198,8 +198,13 @@ impl Drop for Host<'_> {
             let _gone = self.child.kill();
             let _ended = self.child.wait();
         }
+    }
+}
+
+impl Drop for Stand {
+    fn drop(&mut self) {
         // A stopped process receives nothing else.
-        for guardian in self.stand.guardians() {
+        for guardian in self.guardians() {
             let _gone = kill(guardian, Signal::KILL);
         }
     }
@@ -354,6 +359,21 @@ fn what_another_host_holds_at_the_same_port_is_not_ended() {
     assert_eq!(beside.end(), Some(0), "{}", stand.complaints());
     assert!(stand.heard().holds_the_chord());
     assert_eq!(stand.heard().unasked, 0);
+    host.ends_well();
+    assert!(!stand.complaints().contains("guardian is gone"), "{}", stand.complaints());
+}
+
+#[test]
+fn a_guardian_that_dies_while_its_host_ends_is_replaced_before_the_end() {
+    let stand = Stand::new("dies-at-the-end");
+    let host = stand.start(&[]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let guardian = stand.guardian();
+    kill(guardian, Signal::STOP).expect("it is there");
+    host.send(Signal::TERM);
+    // The host waits for an answer that does not come.
+    std::thread::sleep(Duration::from_millis(500));
+    kill(guardian, Signal::KILL).expect("it is there");
     host.ends_well();
 }
 

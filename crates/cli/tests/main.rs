@@ -13,6 +13,9 @@ mod links;
 mod listening;
 #[path = "../../../tests/stage/machine_time.rs"]
 mod machine_time;
+#[expect(unreachable_pub, reason = "a module of another program too")]
+#[path = "../../instruments/tests/random/mod.rs"]
+mod random;
 mod random_mechanisms;
 mod recordings;
 mod replay;

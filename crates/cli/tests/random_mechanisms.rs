@@ -6,10 +6,10 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::cases::{METHODS, read};
+use crate::cases::{METHODS, read, report, simulate};
+use crate::random::Random;
 
 const STEP: f64 = 1e-3;
 const UNTIL: f64 = 0.4;
@@ -20,20 +20,10 @@ const ENDING: f64 = 2e-2;
 /// Largest difference of an event's time (s).
 const NEAR: f64 = 1e-4;
 
-/// SplitMix64.
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
+/// Returns a whole number below `count`.
+fn choice(random: &mut Random, count: u32) -> usize {
+    let at = random.between(0.0, f64::from(count));
+    (1..count).filter(|it| f64::from(*it) <= at).count()
 }
 
 /// Lines of a description by their tables, and its start speeds.
@@ -45,15 +35,15 @@ struct RandomMechanism {
 
 impl RandomMechanism {
     /// Masses on a line, with springs, branches and rigid contacts, and one that swings on a rod.
-    fn new(dice: &mut Dice) -> Self {
+    fn new(random: &mut Random) -> Self {
         let mut it = Self::default();
-        let n = 1 + dice.next() % 3;
+        let n = 1 + choice(random, 3);
         for i in 0..n {
-            it.mass(dice, i);
-            it.contact(dice, i, n);
+            it.mass(random, i);
+            it.contact(random, i, n);
         }
-        if dice.next().is_multiple_of(3) {
-            it.pendulum(dice);
+        if choice(random, 3) == 0 {
+            it.pendulum(random);
         }
         it
     }
@@ -69,18 +59,18 @@ impl RandomMechanism {
         self.speeds.push((format!("{name}'"), speed));
     }
 
-    fn mass(&mut self, dice: &mut Dice, i: u64) {
+    fn mass(&mut self, random: &mut Random, i: usize) {
         let at = 0.3 * i as f64;
-        self.coordinate(&format!("x{i}"), at, dice.between(-3.0, 3.0));
+        self.coordinate(&format!("x{i}"), at, random.between(-3.0, 3.0));
         self.add("frames", format!("b{i} = {{ in = \"ground\", origin = [\"x{i}\", \"0 m\"] }}"));
-        let mass = dice.between(0.1, 2.0);
+        let mass = random.between(0.1, 2.0);
         self.add("bodies", format!("b{i} = {{ frame = \"b{i}\", mass = \"{mass:.3} kg\" }}"));
-        let stiffness = dice.between(10.0, 2000.0);
+        let stiffness = random.between(10.0, 2000.0);
         let law = format!("stiffness = \"{stiffness:.1} N/m\", damping = \"0.3 N*s/m\"");
         self.add("springs", format!("s{i} = {{ stretch = \"x{i} - {at:.3} m\", {law} }}"));
-        let place = format!("{:.4} m", at + dice.between(-0.05, 0.05));
-        let force = format!("{:.2} N", dice.between(0.5, 5.0));
-        let [law, energy] = match dice.next() % 5 {
+        let place = format!("{:.4} m", at + random.between(-0.05, 0.05));
+        let force = format!("{:.2} N", random.between(0.5, 5.0));
+        let [law, energy] = match choice(random, 5) {
             0 => [
                 format!("if(x{i} > {place}, {force}, 0 N)"),
                 format!("if(x{i} > {place}, {force}*(x{i} - {place}), 0 J)"),
@@ -97,19 +87,19 @@ impl RandomMechanism {
         self.add("forces", format!("f{i} = {{ stretch = \"x{i}\", {law} }}"));
     }
 
-    fn contact(&mut self, dice: &mut Dice, i: u64, n: u64) {
-        let gap = match dice.next() % 3 {
+    fn contact(&mut self, random: &mut Random, i: usize, n: usize) {
+        let gap = match choice(random, 3) {
             0 if i + 1 < n => format!("x{} - x{i} - 0.25 m", i + 1),
-            1 => format!("{:.4} m - x{i}", 0.3 * i as f64 + dice.between(0.01, 0.1)),
+            1 => format!("{:.4} m - x{i}", 0.3 * i as f64 + random.between(0.01, 0.1)),
             _ => return,
         };
-        let restitution = [0.0, dice.between(0.2, 0.9)][usize::from(dice.next().is_multiple_of(2))];
+        let restitution = [0.0, random.between(0.2, 0.9)][choice(random, 2)];
         let law = format!("rigid = true, restitution = {restitution:.3}");
         self.add("contacts", format!("c{i} = {{ gap = \"{gap}\", {law} }}"));
     }
 
-    fn pendulum(&mut self, dice: &mut Dice) {
-        let (angle, speed) = (dice.between(-3.0, 3.0), dice.between(-8.0, 8.0));
+    fn pendulum(&mut self, random: &mut Random) {
+        let (angle, speed) = (random.between(-3.0, 3.0), random.between(-8.0, 8.0));
         self.coordinate("u", angle.sin(), speed * angle.cos());
         self.coordinate("v", -angle.cos(), speed * angle.sin());
         self.add("frames", "bob = { in = \"ground\", origin = [\"u\", \"v\"] }".to_owned());
@@ -140,20 +130,10 @@ impl Bench {
     fn run(&self, method: &str, step: f64, factor: f64) -> Outcome {
         let events = self.folder.join("events.csv");
         let start = |(name, speed): &(String, f64)| format!("{name}={}", factor * speed);
-        let output = Command::new(env!("CARGO_BIN_EXE_letoff"))
-            .arg("simulate")
-            .arg(self.folder.join("it.toml"))
-            .args(["--until", &UNTIL.to_string(), "--step", &step.to_string(), "--method", method])
-            .args(["--json", "--events"])
-            .arg(&events)
-            .arg("--initial")
-            .args(self.speeds.iter().map(start))
-            .output()
-            .expect("letoff starts");
-        if !output.status.success() {
-            return Err(String::from_utf8_lossy(&output.stderr).into_owned());
-        }
-        let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a report");
+        let initial: Vec<_> =
+            [String::from("--initial")].into_iter().chain(self.speeds.iter().map(start)).collect();
+        let model = self.folder.join("it.toml");
+        let report = report(&simulate(&model, (UNTIL, step), method, &events, &initial))?;
         let error = report["energy_audit"]["error"].as_f64().expect("an audit");
         if error > 0.01 {
             return Err(format!("{error} of the energy"));
@@ -167,7 +147,7 @@ fn without_endings(events: &[(String, f64)]) -> Vec<(String, f64)> {
     let ends = |t: f64| {
         let is_end =
             |(name, end): &&(String, f64)| name == "settled" && (0.0..ENDING).contains(&(end - t));
-        events.iter().find(is_end).is_some()
+        events.iter().any(|it| is_end(&it))
     };
     let stays = |(name, t): &&(String, f64)| name == "settled" || !ends(*t);
     events.iter().filter(stays).filter(|it| it.1 < UNTIL - ENDING).cloned().collect()
@@ -195,7 +175,7 @@ fn random_mechanisms_have_one_sequence_by_all_methods() {
         if patience < begun.elapsed() {
             break;
         }
-        let mechanism = RandomMechanism::new(&mut Dice(seed));
+        let mechanism = RandomMechanism::new(&mut Random::new(seed));
         fs::write(folder.join("it.toml"), mechanism.text()).expect("a file");
         let bench = Bench { folder: folder.clone(), speeds: mechanism.speeds };
         let Ok(reference) = bench.run("dop853", STEP / 100.0, 1.0) else {

@@ -104,6 +104,16 @@ impl GuardedOutput {
         self.channel.as_mut().ok_or(ErrorKind::NotConnected)?.send(line)
     }
 
+    fn finish_guardian(&mut self) -> io::Result<()> {
+        let channel = self.channel.as_mut().ok_or(ErrorKind::NotConnected)?;
+        channel.send(&HostLine::Finish)?;
+        if let GuardianLine::Finished { passed_on, after_us } = channel.wait(PATIENCE)? {
+            note(&self.report, &self.say, &passed_on);
+            lock(&self.report).passed_on = after_us;
+        }
+        Ok(())
+    }
+
     /// Replaces a guardian that failed for `why`, at time `now` (s): sends note-offs first, then
     /// the pedals that are down.
     fn replace(&mut self, now: f64, why: &io::Error) -> Result<(), MidiSendError> {
@@ -150,15 +160,18 @@ impl Output for GuardedOutput {
         beaten.or_else(|error| self.replace(now, &error))
     }
 
+    /// Finishes the guardian; one that fails is replaced, since its notes would remain.
     fn finish(&mut self) -> Result<(), MidiSendError> {
-        let Some(mut channel) = self.channel.take() else { return Ok(()) };
-        let finished = channel.send(&HostLine::Finish).and_then(|()| channel.wait(PATIENCE));
-        let failed = |error: io::Error| MidiSendError::NoGuardian { reason: error.to_string() };
-        if let GuardianLine::Finished { passed_on, after_us } = finished.map_err(failed)? {
-            note(&self.report, &self.say, &passed_on);
-            lock(&self.report).passed_on = after_us;
+        if self.channel.is_none() {
+            return Ok(());
         }
-        Ok(())
+        let finished = self.finish_guardian().or_else(|error| {
+            self.replace(f64::INFINITY, &error)?;
+            self.finish_guardian()
+                .map_err(|error| MidiSendError::NoGuardian { reason: error.to_string() })
+        });
+        self.channel = None;
+        finished
     }
 }
 

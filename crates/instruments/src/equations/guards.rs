@@ -141,7 +141,9 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         input: &Motion,
     ) -> Leads<N> {
         let table = self.guard_table(mode, guard);
-        if let Some((contact, family)) = table.and_then(|it| it.closes).zip(self.family(mode)) {
+        if let Some((contact, family)) =
+            table.and_then(|it| it.closes).zip(self.table().automata.impacts_in(mode.0))
+        {
             return self.struck(family, (mode, contact), x, input);
         }
         let ways = table.map_or(&[][..], |guard| &guard.ways);

@@ -25,11 +25,6 @@ struct Meeting {
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    pub(super) fn family(&self, mode: ModeNumber) -> Option<&ImpactTable> {
-        let is_own = |family: &&ImpactTable| family.members.iter().any(|it| it.0 == mode.0);
-        self.table().automata.impacts.iter().find(is_own)
-    }
-
     /// Returns where an impact of `contact` leads, with all contacts that touch then.
     ///
     /// # Real-time

@@ -16,7 +16,7 @@ use pode::{
 use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::{EquationModel, rates_of};
 use crate::equations::rows::add_rows;
-use crate::equations::table::{ContactModeTable, Equations, FunctionId, MAX_SWITCHES};
+use crate::equations::table::{ContactModeTable, Equations, FunctionId, MAX_CODED_CONTACTS};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Returns the table of a contact in a mode; `None` if it cannot close there.
@@ -70,7 +70,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         x: &[f64; N],
         input: &Motion,
     ) -> ([f64; N], [f64; 2]) {
-        let sides: [f64; MAX_SWITCHES] = array::from_fn(|it| contacts.state(it).slip_sign());
+        let sides: [f64; MAX_CODED_CONTACTS] = array::from_fn(|it| contacts.state(it).slip_sign());
         let mut out = [[0.0; N]; 3];
         self.call_with(response, (x, &rates_of(input)), &sides, out.as_flattened_mut());
         self.split(&out)
@@ -185,16 +185,10 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         }
         let is_linear = |contact| self.contact(mode, contact).is_none_or(|it| it.is_linear);
         let sticks = |contact| FrictionalContacts::acts(self, mode, contact);
-        let stays = contacts.closed().into_iter().all(is_linear)
+        let stays_linear = nature.is_linear()
+            && contacts.closed().into_iter().all(is_linear)
             && !contacts.sticking().into_iter().any(sticks);
-        let kind = match nature.kind {
-            EquationKind::Affine | EquationKind::Linear if stays => EquationKind::Linear,
-            EquationKind::Affine
-            | EquationKind::Linear
-            | EquationKind::Smooth
-            | EquationKind::Conservative
-            | EquationKind::Stiff => EquationKind::Smooth,
-        };
+        let kind = if stays_linear { EquationKind::Linear } else { EquationKind::Smooth };
         Nature { kind, ..nature }
     }
 }

@@ -115,6 +115,13 @@ pub struct AutomatonTable {
     pub impacts: Vec<ImpactTable>,
 }
 
+impl AutomatonTable {
+    /// Returns the impacts of the family of a mode.
+    pub fn impacts_in(&self, mode: u8) -> Option<&ImpactTable> {
+        self.impacts.iter().find(|family| family.members.iter().any(|it| it.0 == mode))
+    }
+}
+
 /// Impacts of the rigid contacts of a family of modes, which differ by those that are closed.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ImpactTable {
@@ -385,8 +392,9 @@ pub struct RestingTable {
     pub meeting: FunctionId,
 }
 
-/// First number among the contacts that no switch has.
-pub const MAX_SWITCHES: usize = 24;
+/// Maximum number of contacts whose states fit into a [`ModeCode`](crate::ModeCode): 5²⁴ is less
+/// than 2⁵⁶. A function can take the sides or the frictions of as many.
+pub const MAX_CODED_CONTACTS: usize = 24;
 
 /// A contact or bearing.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -10,8 +10,7 @@ use core::fmt;
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use crate::equations::table::{
-    Arguments, FunctionId, Functions, ImpactTable, ModeTable, ModelTable, NamedQuantity, Reading,
-    is_pose,
+    Arguments, FunctionId, Functions, ModeTable, ModelTable, NamedQuantity, Reading, is_pose,
 };
 
 use crate::model::source::ModelSource;
@@ -124,7 +123,7 @@ impl ModelEntry {
             states: names(&table.states),
             state_units: units(&table.states),
             coordinates: table.coordinates,
-            modes: table.modes.iter().map(|mode| ModeEntry::new(table, mode)).collect(),
+            modes: (0..).zip(&table.modes).map(|mode| ModeEntry::new(table, mode)).collect(),
             outputs: names(&table.outputs),
             output_units: units(&table.outputs),
         }
@@ -179,14 +178,11 @@ pub struct ModeEntry {
 
 impl ModeEntry {
     /// Lists the guards of a mode, then the contacts that can close in it.
-    fn new(table: &ModelTable, mode: &ModeTable) -> Self {
+    fn new(table: &ModelTable, (number, mode): (u8, &ModeTable)) -> Self {
         let name = |mode: u8| table.modes.get(usize::from(mode)).map(|mode| mode.name);
-        let own = table.modes.iter().position(|it| core::ptr::eq(it, mode));
-        let is_own =
-            |family: &&ImpactTable| family.members.iter().any(|it| Some(usize::from(it.0)) == own);
         let guards = mode.guards.iter().map(|guard| {
             let ways = guard.ways.iter();
-            let family = guard.closes.and_then(|_| table.automata.impacts.iter().find(is_own));
+            let family = guard.closes.and_then(|_contact| table.automata.impacts_in(number));
             let members = family.into_iter().flat_map(|it| it.members.iter().map(|it| Some(it.0)));
             let mut to: Vec<_> = Vec::new();
             let ways = ways.flat_map(|way| [Some(way.to), way.resting.map(|resting| resting.to)]);

@@ -7,9 +7,9 @@ use crate::equations::table::{Equations as _, ModelTable};
 use crate::equations::{DoesNotFit, EquationModel};
 use pode::contacts::{TooManyGuards, WithContacts};
 
+use crate::equations::table::MAX_CODED_CONTACTS;
 use crate::model::describe::Playable;
 use crate::model::entry::ModelEntry;
-use crate::model::equation_model::MAX_CODED_CONTACTS;
 use crate::model::parts::ModelParts;
 use crate::model::source::ModelSource;
 

@@ -10,9 +10,9 @@ mod mode_name;
 mod parts;
 mod source;
 
+pub use crate::equations::table::MAX_CODED_CONTACTS;
 pub use describe::{Damper, Described, NamedModes, Playable, Sounding, hammer_speed};
 pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
-pub use equation_model::MAX_CODED_CONTACTS;
 pub use loaded_model::{DoesNotLoad, LARGEST, LoadedModel, SharedFunctions, SmallModel, Visitor};
 pub use mode_code::ModeCode;
 pub use mode_name::ModeName;

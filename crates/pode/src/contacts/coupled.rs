@@ -31,8 +31,13 @@ struct CoupledForces {
 }
 
 impl<M: GuardedContacts> ContactPoint<'_, M> {
-    pub(super) fn is_coupled(&self) -> bool {
+    fn is_coupled(&self) -> bool {
         self.system.is_coupled(self.mode.structure)
+    }
+
+    /// Whether frictions act that change each other's limits.
+    pub(super) fn has_coupled_forces(&self) -> bool {
+        self.acting().next().is_some() && self.is_coupled()
     }
 
     fn acting(&self) -> impl Iterator<Item = usize> + use<M> {

@@ -57,7 +57,7 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
     pub(super) fn motion(&self) -> ContactMotion<M::State> {
         let (structure, contacts) = (self.mode.structure, self.mode.contacts);
         let mut flow = self.system.derivative(structure, contacts.closed(), self.x, self.input);
-        if self.is_coupled() {
+        if self.has_coupled_forces() {
             return self.coupled(flow);
         }
         let mut forces = self.sliding();
@@ -72,7 +72,7 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
 
     /// Computes all friction forces; only holding ones cost as much as [`ContactPoint::motion`].
     pub(super) fn forces(&self) -> FrictionForces {
-        let is_simple = self.mode.contacts.sticking().is_empty() && !self.is_coupled();
+        let is_simple = self.mode.contacts.sticking().is_empty() && !self.has_coupled_forces();
         if is_simple { self.sliding() } else { self.motion().forces }
     }
 

@@ -2,6 +2,7 @@
 
 use alloc::sync::Arc;
 
+use crate::equations::table::MAX_CODED_CONTACTS;
 use crate::equations::{EquationModel, ModeNumber};
 use pode::contacts::{
     ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, MAX_CONTACTS,
@@ -13,9 +14,6 @@ use crate::model::describe::{Described, NamedModes, Playable, Sounding};
 use crate::model::draw::Sketch;
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
-
-/// Maximum number of contacts whose states fit into a [`ModeCode`]: 5²⁴ is less than 2⁵⁶.
-pub const MAX_CODED_CONTACTS: usize = 24;
 
 /// States of a contact in the order of their digits.
 const STATES: [ContactState; 5] = [

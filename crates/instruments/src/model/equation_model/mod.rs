@@ -13,7 +13,6 @@ use crate::model::draw::Sketch;
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
 
-pub use contacts::MAX_CODED_CONTACTS;
 pub(super) use contacts::decoded;
 
 impl<const N: usize, const C: usize> NamedModes for EquationModel<Arc<ModelParts>, N, C> {

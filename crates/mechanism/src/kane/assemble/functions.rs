@@ -84,7 +84,7 @@ impl FunctionList {
                 layout.place(Place::Extra(number), Argument::Extra(number));
             }
         }
-        let sides = 0..instruments::equations::table::MAX_SWITCHES;
+        let sides = 0..MAX_CODED_CONTACTS;
         for number in sides.chain([EnclosureLayout::step(), EnclosureLayout::input_start()]) {
             let number = u16::try_from(number).unwrap_or(u16::MAX);
             layout.place(Place::Extra(number), Argument::Extra(number));

@@ -33,9 +33,10 @@ pub(super) fn add(
         let mut rates = mode.derivative.clone();
         let mut chosen = chosen(graph, &poses, state, mode);
         let known = |it: &SwitchSurface, contacts: &[MechanismContact]| {
-            let slips =
-                contacts.iter().skip(first).map(|it| it.friction.as_ref().map(|it| it.slip));
-            slips.clone().position(|slip| slip == Some(it.condition)).map(|at| first + at)
+            let is_its = |contact: &MechanismContact| {
+                contact.friction.as_ref().is_some_and(|friction| friction.slip == it.condition)
+            };
+            contacts.iter().skip(first).position(is_its).map(|at| first + at)
         };
         chosen.retain(|it| {
             let number = known(it, &mechanism.contacts);
@@ -96,15 +97,21 @@ fn chosen(
     };
     let mut all: Vec<_> = conditions.iter().map(|it| surface(graph, it)).collect();
     let has_kinks = all.iter().any(|it| !it.jumps);
-    if has_kinks && (all.len() > MAX_FRICTIONS || !is_linear_on_each_side(graph, state, mode)) {
+    let is_linear = |graph: &mut Graph| is_linear_on_each_side(graph, state, mode, &conditions);
+    if has_kinks && (all.len() > MAX_FRICTIONS || !is_linear(graph)) {
         all.retain(|it| it.jumps);
     }
     all.sort_by_key(|it| (!it.turns, !it.jumps));
     all
 }
 
-fn is_linear_on_each_side(graph: &mut Graph, state: &[Place], mode: &ModeEquations) -> bool {
-    let sides: Vec<_> = conditions(graph, &mode.derivative).into_iter().zip(0..).collect();
+fn is_linear_on_each_side(
+    graph: &mut Graph,
+    state: &[Place],
+    mode: &ModeEquations,
+    conditions: &[Node],
+) -> bool {
+    let sides: Vec<_> = conditions.iter().copied().zip(0..).collect();
     let rates = by_sides(graph, &mode.derivative, &sides);
     let state = StateOfMode::new(graph, state, mode);
     is_linear_in_state(graph, &state, &rates)
