@@ -5,10 +5,10 @@ use pode::{Motion, Resets};
 
 use crate::entry::Entry;
 use crate::peers;
-use crate::peers::{Driven, KeyHammer, Ours, Written};
+use crate::peers::{Driven, Ours, Written, shipped};
 use crate::problem::Problem;
 use crate::problems::{Ball, Block, BlockMode, Cradle};
-use crate::reference::{self, Reference};
+use crate::reference::{self, ModelBCase, Reference};
 
 pub(crate) struct Case {
     pub(crate) name: &'static str,
@@ -45,7 +45,7 @@ fn ball() -> Case {
     let problem = Ball { g: 9.81, e: 0.8, height: 1.0 };
     let ours = Ours { model: Written(problem), input: |_: f64| (), start: problem.start() };
     let mut entries = peers::entries::<2, 1, 3, _>(problem, T_END);
-    entries.extend(peers::ours(ours, T_END));
+    entries.extend(peers::ours(&ours, T_END));
     let Ball { g, e, height } = problem;
     Case {
         name: "ball",
@@ -89,12 +89,11 @@ impl Driven<Motion> for Bells {
 }
 
 fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case, String> {
-    let (problem, t_end, reference) = reference::model_b(file)?;
-    let input = Bells(problem.bells);
-    let ours = Ours { model: KeyHammer::new(&problem), input, start: problem.start() };
+    let ModelBCase { problem, parameters, t_end, reference } = reference::model_b(file)?;
+    let ours = shipped(&parameters, Bells(problem.bells))?;
     let mut entries = peers::entries::<4, 2, 5, _>(problem, t_end);
-    entries.extend(peers::ours(ours, t_end));
-    entries.extend(peers::expanded(ours, t_end));
+    entries.extend(peers::ours(&ours, t_end));
+    entries.extend(peers::expanded(&ours, t_end));
     Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })
 }
 
@@ -133,7 +132,7 @@ where
         .ok_or_else(|| format!("{name}: a parameter is missing"))?;
     let mut entries = peers::entries::<N, G, M, P>(problem, t_end);
     let ours = Ours { model: Written(problem), input: |_: f64| (), start: problem.start() };
-    entries.extend(peers::ours(ours, t_end));
+    entries.extend(peers::ours(&ours, t_end));
     let lines = parameters.iter().map(|(name, value)| format!("{name} {value:?}\n"));
     let parameters = format!("problem {kind}\nt_end {t_end:?}\n") + &lines.collect::<String>();
     Ok(Case { name, summary, t_end, reference, entries, parameters })
@@ -142,9 +141,9 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problems::ModelBMode as Mode;
-    use pode::series::Expansion;
-    use pode::{GuardId, Guarded as _, Model as _};
+    use crate::problems::{ModelB, ModelBMode as Mode};
+    use instruments::NamedModes as _;
+    use pode::{Guarded as _, Model as _};
 
     fn states() -> impl Iterator<Item = [f64; 4]> {
         let mut seed = 1_u64;
@@ -158,57 +157,22 @@ mod tests {
     }
 
     #[test]
-    fn the_peers_equations_are_ours() {
-        let (problem, _, _) = reference::model_b("model-b-figure6").unwrap();
-        let model = KeyHammer::new(&problem);
+    fn the_peers_equations_are_those_of_the_shipped_model() {
+        let ModelBCase { problem, parameters, .. } = reference::model_b("model-b-figure6").unwrap();
+        let ours = shipped(&parameters, ()).unwrap();
+        let (coupled, model) = (ours.start.0, &ours.model);
+        let apart = model.modes().map(|(mode, _)| mode).find(|mode| *mode != coupled).unwrap();
         for x in states() {
-            for (mode, contact) in [(Mode::Coupled, 0), (Mode::Apart, 1)] {
+            for (mode, ours) in [(Mode::Coupled, coupled), (Mode::Apart, apart)] {
                 let t = 3.0 * (x[0] + 0.5);
                 let input = Motion { position: problem.input(t), ..Motion::default() };
-                check(model.derivative(mode, &x, &input), problem.derivative(mode, t, &x));
-                for (guard, id) in [contact, 2].into_iter().enumerate() {
-                    let found = model.guard(mode, GuardId(id), &x, &input);
+                check(model.derivative(ours, &x, &input), problem.derivative(mode, t, &x));
+                let names = <ModelB as Problem<4, 2>>::names(mode);
+                for (guard, name) in names.into_iter().enumerate() {
+                    let spec = model.guards(ours).iter().find(|spec| spec.name == name).unwrap();
+                    let found = model.guard(ours, spec.id, &x, &input);
                     let (value, rate) = problem.guard(mode, guard, &x);
                     check([found.value, found.rate], [value, rate]);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn the_series_solves_the_equations() {
-        const ORDER: usize = 24;
-        let (problem, _, _) = reference::model_b("model-b-figure6").unwrap();
-        let model = KeyHammer::new(&problem);
-        let (scale, start) = (0.03, [-0.1, 0.03, 1.5, -1.6]);
-        // A stroke that is a polynomial, in units of the scale.
-        let mut input = [Motion::default(); INPUT_TERMS];
-        for (input, position) in input.iter_mut().zip([0.05, 0.02, -0.01, 0.004]) {
-            input.position = position;
-        }
-        for mode in [Mode::Coupled, Mode::Apart] {
-            let mut out = Expansion::of(&start, ORDER, scale);
-            assert!(model.series(mode, &input, &mut out));
-            for tau in [0.0, 0.1, 0.35] {
-                let sum = |of: &dyn Fn(usize) -> f64| {
-                    (0..=ORDER).rev().fold(0.0, |sum, k| of(k) + tau * sum)
-                };
-                let x = std::array::from_fn(|i| sum(&|k| out.terms[k][i]));
-                let rate = |i: usize| {
-                    let term = |k: usize| k as f64 * out.terms[k][i];
-                    (1..=ORDER).rev().fold(0.0, |sum, k| term(k) + tau * sum) / scale
-                };
-                let position = input.iter().rev().fold(0.0, |sum, it| it.position + tau * sum);
-                let s = Motion { position, ..Motion::default() };
-                let found: [f64; 4] = std::array::from_fn(rate);
-                let expected = model.derivative(mode, &x, &s);
-                for (a, b) in found.iter().zip(expected) {
-                    assert!((a - b).abs() < 1e-12 * b.abs().max(1.0), "{mode:?}: {a}, not {b}");
-                }
-                for (index, spec) in model.guards(mode).iter().enumerate() {
-                    let guard = model.guard(mode, spec.id, &x, &s).value;
-                    let error = (sum(&|k| out.guards[index][k]) - guard).abs();
-                    assert!(error < 1e-15, "{mode:?}, {}: {error:e}", spec.name);
                 }
             }
         }

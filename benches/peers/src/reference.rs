@@ -54,10 +54,18 @@ pub(crate) fn row_time(row: u32) -> f64 {
     f64::from(row) * ROW
 }
 
-pub(crate) fn model_b(name: &str) -> Result<(ModelB, f64, Reference), String> {
+/// Model B for the peers, its parameters by name, its end (s), and its reference.
+pub(crate) struct ModelBCase {
+    pub(crate) problem: ModelB,
+    pub(crate) parameters: Value,
+    pub(crate) t_end: f64,
+    pub(crate) reference: Reference,
+}
+
+pub(crate) fn model_b(name: &str) -> Result<ModelBCase, String> {
     let folder = folder();
     let json = read(&folder.join(format!("{name}.json")))?;
-    let json: Value = serde_json::from_str(&json).map_err(|error| format!("{name}: {error}"))?;
+    let mut json: Value = serde_json::from_str(&json).map_err(|error| format!("{name}: {error}"))?;
     let rows = trajectory(&read(&folder.join(format!("{name}.csv")))?)?;
     let rest = rows.first().map(|(_, state)| state.clone()).unwrap_or_default();
     let problem = problem(&json["parameters"], &json["input"]["A_tc_w"], &rest)
@@ -66,7 +74,8 @@ pub(crate) fn model_b(name: &str) -> Result<(ModelB, f64, Reference), String> {
     let events = json["events"].as_array().map(Vec::as_slice).unwrap_or_default();
     let events: Option<Vec<_>> = events.iter().map(expected).collect();
     let events = events.ok_or_else(|| format!("{name}: an event is incomplete"))?;
-    Ok((problem, t_end, Reference::new(events, rows)))
+    let parameters = json["parameters"].take();
+    Ok(ModelBCase { problem, parameters, t_end, reference: Reference::new(events, rows) })
 }
 
 /// Reads a case of this package: its parameters by name, its end (s), and its reference.

@@ -70,15 +70,16 @@ impl Part {
         Self { reads: Reads::State, ..self }
     }
 
-    /// Returns the length (s) of the part's step, a multiple of `h` (s), with `rest` (s) left.
+    /// Returns the length (s) of the part's step, a multiple of `h` (s) up to `longest` (s), with
+    /// `rest` (s) left.
     #[inline]
-    pub(crate) fn own_step(&self, h: f64, rest: f64) -> f64 {
+    pub(crate) fn own_step(&self, h: f64, rest: f64, longest: f64) -> f64 {
         let known = match self.reads {
             Reads::State => f64::INFINITY,
             // The input is known to the end of the tick, and rounding is no step.
             Reads::StateAndInput => rest * (1.0 + 1e-9),
         };
-        let most = self.longest_step.min(known) / h;
+        let most = self.longest_step.min(known).min(longest) / h;
         h * math::floor(most.min(MOST_STEPS)).max(1.0)
     }
 
@@ -118,11 +119,13 @@ mod tests {
         let part = Part::of(&[0]).with_longest_step(2.5e-3);
         let close =
             |found: f64, expected: f64| assert!((found - expected).abs() < 1e-15, "{found}");
-        close(part.of_state().own_step(1e-3, 1e-3), 2e-3);
-        close(part.own_step(1e-3, 1e-3), 1e-3);
-        close(part.own_step(1e-4, 1e-3), 3e-4);
-        close(part.own_step(1e-4, 2e-4), 2e-4);
-        close(part.own_step(4e-3, 1.0), 4e-3);
-        close(Part::WHOLE.own_step(1e-3, 1.0), 1e-3);
+        close(part.of_state().own_step(1e-3, 1e-3, f64::INFINITY), 2e-3);
+        close(part.own_step(1e-3, 1e-3, f64::INFINITY), 1e-3);
+        close(part.own_step(1e-4, 1e-3, f64::INFINITY), 3e-4);
+        close(part.own_step(1e-4, 2e-4, f64::INFINITY), 2e-4);
+        close(part.own_step(1e-4, 1e-3, 2.5e-4), 2e-4);
+        close(part.own_step(1e-4, 1e-3, 1e-4), 1e-4);
+        close(part.own_step(4e-3, 1.0, f64::INFINITY), 4e-3);
+        close(Part::WHOLE.own_step(1e-3, 1.0, f64::INFINITY), 1e-3);
     }
 }

@@ -7,7 +7,7 @@ mod ode_solvers;
 mod ours;
 
 pub(crate) use diffsol::entries as diffsol;
-pub(crate) use ours::{Driven, KeyHammer, Ours, Written, entries as ours, expanded};
+pub(crate) use ours::{Driven, Ours, Written, entries as ours, expanded, shipped};
 
 use crate::entry::Entry;
 use crate::problem::Problem;

@@ -29,7 +29,8 @@ impl<M: GuardedContacts> Resets for WithContacts<M> {
                 let released =
                     reset.released.map(|guard| GuardId(guard.0.saturating_add(STRUCTURE)));
                 let mode = self.released(reset.mode, &reset.state, input);
-                Reset { mode, released, ..reset }
+                let rests = reset.rests.map(|(mode, x)| (self.released(mode, &x, input), x));
+                Reset { mode, rests, released, ..reset }
             }
         }
     }

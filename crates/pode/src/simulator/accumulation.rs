@@ -111,6 +111,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             excess: 1.0,
             h: time,
             rest: time,
+            longest: time,
         };
         let mut memory: Memories<M, T> = core::array::from_fn(|_| PartMemory::default());
         let (step, _) = mode_step.take(&at_rest, &mut memory, &mut run.work);

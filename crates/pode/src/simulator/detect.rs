@@ -222,6 +222,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             excess: 1.0,
             h: taken.h,
             rest: taken.h,
+            longest: taken.h,
         };
         mode_step.refine(&self.memory, &mut taken.step.dense, &mut run.work);
     }

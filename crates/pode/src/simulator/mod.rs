@@ -274,6 +274,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             excess,
             h,
             rest: run.rest(),
+            longest: run.limits.longest_step,
         };
         let input_start = *input;
         let (step, input) = mode_step.take(&self.state, &mut self.memory, &mut run.work);
@@ -303,6 +304,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             excess: 1.0,
             h: scale,
             rest: scale,
+            longest: scale,
         };
         mode_step.prepare(&self.state, &mut self.memory, &mut run.work);
     }

@@ -90,6 +90,8 @@ pub(super) struct ModeStep<'a, M: Model, T: Stepper, S> {
     /// Length of the step, and of the rest of the tick from its begin (s).
     pub(super) h: f64,
     pub(super) rest: f64,
+    /// Longest step of a part (s).
+    pub(super) longest: f64,
 }
 
 type Taken<M, T> = Step<<M as Model>::State, DenseOf<M, T>>;
@@ -194,7 +196,7 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
             // The rest of it is shorter than the step: it belongs to another grid.
             memory.restart();
         }
-        let length = part.own_step(self.h, self.rest);
+        let length = part.own_step(self.h, self.rest, self.longest);
         if length > self.h && memory.reach().is_infinite() && !memory.is_uncut {
             let theta = self.theta.0 + length / self.h * (self.theta.1 - self.theta.0);
             let mut own = self.field((index, part), theta);

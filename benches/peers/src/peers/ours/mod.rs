@@ -1,15 +1,14 @@
-//! `pode` with models written for it, as a user writes them.
+//! `pode` with model B as it ships, and with models written for it, as a user writes them.
 //!
 //! **To add a method**: a line in [`by_tick`] if its step is the tick or a part of it, in
 //! [`by_tolerance`] if it chooses its steps and the tick is the whole run. A method with its own
 //! loop: a file in this folder and a line in [`entries`].
 
-mod key_hammer;
-mod series;
+mod shipped;
 mod ticks;
 mod written;
 
-pub(crate) use key_hammer::KeyHammer;
+pub(crate) use shipped::shipped;
 pub(crate) use written::Written;
 
 use std::hint::black_box;
@@ -22,7 +21,7 @@ use crate::entry::{Entry, Run, STEPS, Setting, tolerances};
 const CODE: &str = "pode";
 
 /// A model of `pode` on a problem; the peers receive the same equations.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) struct Ours<M: Model, I> {
     pub(crate) model: M,
     pub(crate) input: I,
@@ -45,26 +44,26 @@ impl<T, F: Fn(f64) -> T> Driven<T> for F {
     }
 }
 
-pub(crate) fn expanded<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
+pub(crate) fn expanded<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
-    M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Driven<M::Input> + Copy + 'static,
+    M: Resets<State = [f64; N]> + Clone + 'static,
+    I: Driven<M::Input> + Clone + 'static,
 {
     let row = |tolerance| Entry {
         code: CODE,
         method: "Taylor",
         setting: Setting::Best("sweep"),
         knob: tolerance,
-        note: "one tick, steps by the tolerance; the series is one function",
+        note: "one tick, steps by the tolerance",
         run: run(ours, Taylor::to(Tolerance::both(tolerance)), offline(), t_end, t_end),
     };
     tolerances(15).map(row).collect()
 }
 
-pub(crate) fn entries<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
+pub(crate) fn entries<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
-    M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Driven<M::Input> + Copy + 'static,
+    M: Resets<State = [f64; N]> + Clone + 'static,
+    I: Driven<M::Input> + Clone + 'static,
 {
     let ticks = STEPS.into_iter().flat_map(|h| by_tick(ours, t_end, h));
     let tolerances = tolerances(13).flat_map(|tolerance| by_tolerance(ours, t_end, tolerance));
@@ -76,10 +75,10 @@ where
 }
 
 /// Runs in ticks of `h` (s), as a key does; 1 ms is the default.
-fn by_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
+fn by_tick<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
 where
-    M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Driven<M::Input> + Copy + 'static,
+    M: Resets<State = [f64; N]> + Clone + 'static,
+    I: Driven<M::Input> + Clone + 'static,
 {
     let entry = |method, run| Entry {
         code: CODE,
@@ -103,10 +102,10 @@ where
 }
 
 /// Runs in one tick from start to end, with steps as long as `tolerance` allows.
-fn by_tolerance<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, tolerance: f64) -> Vec<Entry>
+fn by_tolerance<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64, tolerance: f64) -> Vec<Entry>
 where
-    M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Driven<M::Input> + Copy + 'static,
+    M: Resets<State = [f64; N]> + Clone + 'static,
+    I: Driven<M::Input> + Clone + 'static,
 {
     let method = Controlled { method: Dop853, tolerance: Tolerance::both(tolerance) };
     vec![Entry {
@@ -120,10 +119,10 @@ where
 }
 
 /// Runs in one tick: with the exact flow where a mode is linear, and with RK4 (exact on parabolas).
-fn one_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> [Entry; 2]
+fn one_tick<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64) -> [Entry; 2]
 where
-    M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Driven<M::Input> + Copy + 'static,
+    M: Resets<State = [f64; N]> + Clone + 'static,
+    I: Driven<M::Input> + Clone + 'static,
 {
     let entry = |method, note, run| Entry {
         code: CODE,
@@ -151,16 +150,17 @@ fn offline() -> Limits {
 }
 
 fn run<const N: usize, M, I, T>(
-    ours: Ours<M, I>,
+    ours: &Ours<M, I>,
     stepper: T,
     limits: Limits,
     h: f64,
     t_end: f64,
 ) -> Run
 where
-    M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Driven<M::Input> + Copy + 'static,
+    M: Resets<State = [f64; N]> + Clone + 'static,
+    I: Driven<M::Input> + Clone + 'static,
     T: Stepper + 'static,
 {
-    Box::new(move |log| ticks::run(&black_box(ours), (stepper, limits), h, black_box(t_end), log))
+    let ours = ours.clone();
+    Box::new(move |log| ticks::run(black_box(&ours), (stepper, limits), h, black_box(t_end), log))
 }

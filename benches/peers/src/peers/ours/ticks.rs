@@ -66,7 +66,7 @@ pub(super) fn run<const N: usize, M, I, T>(
     log: &mut Log,
 ) -> Result<(), String>
 where
-    M: Resets<State = [f64; N]> + Copy,
+    M: Resets<State = [f64; N]> + Clone,
     I: Driven<M::Input>,
     T: Stepper,
 {
@@ -86,12 +86,12 @@ fn follow<const INSIDE: bool, const N: usize, M, I, T>(
     log: &mut Log,
 ) -> Result<(), String>
 where
-    M: Resets<State = [f64; N]> + Copy,
+    M: Resets<State = [f64; N]> + Clone,
     I: Driven<M::Input>,
     T: Stepper,
 {
     let (mode, state) = ours.start;
-    let simulator = Simulator::new(ours.model, stepper, limits, mode, state);
+    let simulator = Simulator::new(ours.model.clone(), stepper, limits, mode, state);
     let mut simulator = simulator.without_readout();
     let mut scribe = Scribe::<INSIDE> { log, h, failed: Ok(()) };
     let mut evaluations = 0;
