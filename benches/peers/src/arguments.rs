@@ -7,6 +7,8 @@ pub(crate) struct Arguments {
     /// `true` if there are fewer rounds and shorter repeats: a check that everything runs.
     pub(crate) quick: bool,
     pub(crate) out: PathBuf,
+    /// A report whose counts are compared; nothing is timed.
+    pub(crate) counts: Option<PathBuf>,
     /// A Python with SciPy, heyoka, MuJoCo and Drake.
     pub(crate) python: Option<PathBuf>,
     /// A Python with Siconos.
@@ -28,6 +30,7 @@ impl Arguments {
             let value = words.next().ok_or_else(|| format!("{word} needs a value"))?;
             match word.as_str() {
                 "--out" => it.out = value.into(),
+                "--counts" => it.counts = Some(value.into()),
                 "--python" => it.python = Some(value.into()),
                 "--siconos" => it.siconos = Some(value.into()),
                 "--cvode" => it.cvode = Some(value.into()),

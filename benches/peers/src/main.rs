@@ -2,6 +2,7 @@
 
 mod arguments;
 mod cases;
+mod counts;
 mod entry;
 mod external;
 mod judge;
@@ -43,8 +44,11 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     } else {
         Plan { rounds: 3, budget: Duration::from_millis(15), last: 13 }
     };
-    let probes = probes::all();
     let cases = cases::all()?;
+    if let Some(results) = &arguments.counts {
+        return counts::compare(&cases, results);
+    }
+    let probes = probes::all();
     let out = &arguments.out;
     std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
     let work = parameter_folder(out)?;

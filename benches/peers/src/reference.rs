@@ -65,7 +65,8 @@ pub(crate) struct ModelBCase {
 pub(crate) fn model_b(name: &str) -> Result<ModelBCase, String> {
     let folder = folder();
     let json = read(&folder.join(format!("{name}.json")))?;
-    let mut json: Value = serde_json::from_str(&json).map_err(|error| format!("{name}: {error}"))?;
+    let mut json: Value =
+        serde_json::from_str(&json).map_err(|error| format!("{name}: {error}"))?;
     let rows = trajectory(&read(&folder.join(format!("{name}.csv")))?)?;
     let rest = rows.first().map(|(_, state)| state.clone()).unwrap_or_default();
     let problem = problem(&json["parameters"], &json["input"]["A_tc_w"], &rest)

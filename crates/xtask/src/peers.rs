@@ -39,9 +39,19 @@ pub(crate) fn run(options: &PeerOptions) -> Result<(), Error> {
             }
         }
     }
-    let fixed = ["run", "--release", "--manifest-path", "benches/peers/Cargo.toml", "--target-dir"];
-    let fixed = fixed.map(OsString::from).into_iter();
-    let build = fixed.chain([work.join("cargo").into(), "--".into()]);
+    run_with(&work, arguments)
+}
+
+/// Compares the evaluations of pode and of the Rust peers with those of the committed report.
+pub(crate) fn compare_counts() -> Result<(), Error> {
+    let results = command::root().join(BENCH).join("results/results.json");
+    run_with(&command::root().join("target/peers"), vec!["--counts".into(), results.into()])
+}
+
+fn run_with(work: &Path, arguments: Vec<OsString>) -> Result<(), Error> {
+    let fixed = ["run", "--release", "--locked", "--manifest-path", "benches/peers/Cargo.toml"];
+    let folder = ["--target-dir".into(), work.join("cargo").into(), "--".into()];
+    let build = fixed.map(OsString::from).into_iter().chain(folder);
     command::run(&mut command::cargo(build.chain(arguments)))
 }
 

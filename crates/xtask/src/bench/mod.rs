@@ -11,6 +11,7 @@ use std::{collections::BTreeMap, fs, path::Path, process::Stdio};
 
 use crate::command::{cargo, root, run, target};
 use crate::error::Error;
+use crate::peers;
 use baseline::{BenchBaseline, RoundRange};
 
 /// Codec, strike to MIDI, a whole tick by activity, and one key from sample to force by model.
@@ -49,7 +50,7 @@ pub(crate) fn measure(usage: BaselineUse) -> Result<(), Error> {
     };
     print!("{}", before.table(&now));
     let slower = before.slower(&now);
-    if slower.is_empty() { Ok(()) } else { Err(Error::Slower(slower)) }
+    if slower.is_empty() { peers::compare_counts() } else { Err(Error::Slower(slower)) }
 }
 
 /// Returns the range of each bench over all rounds, as multiples of the calibration.
