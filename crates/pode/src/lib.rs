@@ -66,7 +66,6 @@ mod slopes;
 mod state;
 mod watch;
 
-pub mod filippov;
 pub mod input;
 pub mod math;
 pub mod series;

@@ -4,11 +4,13 @@
 //! belt: the reference joins those pieces where slip speed or friction, both in closed form, reach
 //! their ends. No equation is integrated.
 
-use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
+use pode::contacts::ContactState::{self, SlideDown, SlideUp, Stick};
 use pode::stepper::Rk4;
-use pode::{Advance, Limits, Motion, Nature, Simulator};
+use pode::{Advance, Motion, Nature};
 use proptest::prelude::*;
 
+use crate::common::block::Block;
+use crate::common::two_sided::states;
 use crate::driven::{root, run_driven};
 
 /// Mass 1 kg, ω = 10 rad/s; the belt moves at v + w sin Ωt.
@@ -40,35 +42,10 @@ impl Belt {
     }
 }
 
-impl Sided for Belt {
-    type State = [f64; 2];
-    type Input = Motion;
-    const COORDS: usize = 1;
-    const SIZE: f64 = 1.0;
-    const RATE: f64 = 10.0;
-
-    fn derivative(&self, branch: Branch, x: &[f64; 2], belt: &Motion) -> [f64; 2] {
-        [x[1], self.readout(branch, x, belt) - K * x[0]]
-    }
-
-    fn readout(&self, branch: Branch, _: &[f64; 2], _: &Motion) -> f64 {
-        -branch.side.sign() * if branch.holds { self.limit } else { self.kinetic }
-    }
-
-    fn surface(&self, x: &[f64; 2], belt: &Motion) -> Surface<[f64; 2]> {
-        let drift = -belt.acceleration;
-        Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift }
-    }
-
-    fn nature(&self, _: SurfaceSide) -> Nature {
-        Nature::default().with_longest_step(RADIANS / OMEGA.max(self.frequency))
-    }
-}
-
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     from: f64,
-    mode: Mode,
+    mode: ContactState,
     x: [f64; 2],
     /// Sharpness of its start: the smallest slope or distance in that decision.
     margin: f64,
@@ -76,15 +53,11 @@ struct Piece {
 
 impl Piece {
     fn at(&self, belt: &Belt, t: f64) -> [f64; 2] {
-        let side = match self.mode {
-            Mode::Above => SurfaceSide::Above,
-            Mode::Below => SurfaceSide::Below,
-            Mode::Sliding => {
-                let [from, to] = [self.from, t].map(|t| belt.motion(t));
-                return [self.x[0] + to.position - from.position, to.rate];
-            }
-        };
-        let center = -side.sign() * belt.kinetic / K;
+        if self.mode == Stick {
+            let [from, to] = [self.from, t].map(|t| belt.motion(t));
+            return [self.x[0] + to.position - from.position, to.rate];
+        }
+        let center = -self.mode.slip_sign() * belt.kinetic / K;
         let (sin, cos) = (OMEGA * (t - self.from)).sin_cos();
         let [a, b] = [self.x[0] - center, self.x[1] / OMEGA];
         [center + a * cos + b * sin, OMEGA * (b * cos - a * sin)]
@@ -92,11 +65,10 @@ impl Piece {
 
     fn guard(&self, belt: &Belt, t: f64) -> f64 {
         let (x, motion) = (self.at(belt, t), belt.motion(t));
-        match self.mode {
-            Mode::Above => x[1] - motion.rate,
-            Mode::Below => motion.rate - x[1],
-            Mode::Sliding => belt.limit - (K * x[0] + motion.acceleration).abs(),
+        if self.mode == Stick {
+            return belt.limit - (K * x[0] + motion.acceleration).abs();
         }
+        self.mode.slip_sign() * (x[1] - motion.rate)
     }
 
     /// Returns the next piece, if one begins before `until`; by samples 1/500 of a radian apart.
@@ -127,25 +99,21 @@ impl Piece {
         let (x, motion) = (self.at(belt, t), belt.motion(t));
         let held = K * x[0] + motion.acceleration;
         let free = (belt.limit - held.abs()).abs();
-        let friction = if self.mode == Mode::Above { -belt.kinetic } else { belt.kinetic };
+        let friction = -self.mode.slip_sign() * belt.kinetic;
         let slope = (friction - held).abs();
-        let leaves = if held > 0.0 { Mode::Below } else { Mode::Above };
-        match self.mode {
-            Mode::Sliding => {
-                let rate = (K * motion.rate + motion.jerk).abs();
-                Self { from: t, mode: leaves, x, margin: 0.01 * rate }
-            }
-            Mode::Above | Mode::Below => {
-                let mode = if held.abs() < belt.limit { Mode::Sliding } else { leaves };
-                Self { from: t, mode, x, margin: free.min(slope) }
-            }
+        let leaves = if held > 0.0 { SlideDown } else { SlideUp };
+        if self.mode == Stick {
+            let rate = (K * motion.rate + motion.jerk).abs();
+            return Self { from: t, mode: leaves, x, margin: 0.01 * rate };
         }
+        let mode = if held.abs() < belt.limit { Stick } else { leaves };
+        Self { from: t, mode, x, margin: free.min(slope) }
     }
 }
 
 fn reference(belt: &Belt, until: f64) -> Vec<Piece> {
     let x = [0.0, belt.motion(0.0).rate];
-    let mut pieces = vec![Piece { from: 0.0, mode: Mode::Sliding, x, margin: 1.0 }];
+    let mut pieces = vec![Piece { from: 0.0, mode: Stick, x, margin: 1.0 }];
     while let Some(next) = pieces[pieces.len() - 1].next(belt, until) {
         pieces.push(next);
         if next.margin < 0.01 {
@@ -182,19 +150,17 @@ proptest! {
         let pieces = reference(&belt, UNTIL);
         let sure = pieces.iter().position(|it| it.margin < 0.01).unwrap_or(pieces.len());
         let until = pieces.get(sure).map_or(UNTIL, |it| it.from - 1e-3);
-        let model = Filippov(belt);
-        let (mode, state) = model.start(&pieces[0].x, &belt.motion(0.0));
-        let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
+        let nature = Nature::default().with_longest_step(RADIANS / OMEGA.max(belt.frequency));
+        let block = Block { nature, ..Block::new(1.0, K, [belt.limit, belt.kinetic]) };
+        let mut it = block.start(Rk4, pieces[0].x, &belt.motion(0.0));
         let (recorder, ticks) = run_driven(&mut it, (h, phase), until, |t| belt.motion(t));
         prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed));
-        let found: Vec<_> = recorder.events().iter().map(|it| (it.t, it.to)).collect();
-        let expected: Vec<_> = pieces[1..sure].iter().map(|it| (it.from, it.mode)).collect();
-        prop_assert_eq!(found.len(), expected.len(), "{:?} {:?}", &found, &expected);
+        let modes: Vec<_> = pieces[1..sure].iter().map(|it| it.mode).collect();
+        prop_assert_eq!(states(recorder.events()), modes, "{:?}", recorder.times());
         // Each landing takes r⁴/69 of a speed of 1 m/s, over the slope with which it lands, and
         // passes it on: a stick resets the speed, and a slip passes the place on.
         let mut error = 1e-12;
-        for (piece, (t, mode)) in pieces[1..sure].iter().zip(&found) {
-            prop_assert_eq!(*mode, piece.mode);
+        for (piece, t) in pieces[1..sure].iter().zip(recorder.times()) {
             error += 10.0 * RADIANS.powi(4) / 69.0 / piece.margin.min(1.0) + error / piece.margin.min(1.0);
             prop_assert!((t - piece.from).abs() < error, "{} is not {}, {:e}", t, piece.from, error);
         }

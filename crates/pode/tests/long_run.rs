@@ -5,14 +5,13 @@
 //! neither: each step rounds by ε/2 of its largest term, which adds up like a random walk, or at
 //! worst in one direction.
 
-use pode::filippov::{self, Branch, Filippov, Sided, Surface};
+use pode::contacts::{ContactState, Surface};
 use pode::stepper::{Exact, Rk4};
-use pode::{
-    Advance, EquationKind, Event, Limits, Model, Nature, Resets, Silent, Simulator, Stepper, Watch,
-};
+use pode::{Advance, Event, Limits, Model, Motion, Resets, Silent, Simulator, Stepper, Watch};
 
-use crate::common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
-use crate::common::stick_slip::StickSlip;
+use crate::common::block::Block;
+use crate::common::head::{CONTACTS, Head, Mode, RADIANS};
+use crate::common::two_sided::{self, TwoSided, side};
 use crate::common::{G, STEPS, close, no_input};
 
 #[derive(Debug)]
@@ -39,15 +38,15 @@ impl<M: Model> Watch<M> for Count {
 }
 
 #[track_caller]
-fn run_for<M: Resets<Input = ()>, T: Stepper>(
+fn run_for<M: Resets, T: Stepper>(
     it: &mut Simulator<M, T>,
-    count: &mut Count,
+    (count, input): (&mut Count, impl Fn(f64) -> M::Input),
     seconds: f64,
     ready: impl Fn(M::Mode) -> bool,
 ) {
     let ticks = (seconds / count.h).ceil() as u64;
     while it.tick() < ticks || !ready(it.mode()) {
-        assert_eq!(it.advance(count.h, &no_input, count).advance, Advance::Completed);
+        assert_eq!(it.advance(count.h, &input, count).advance, Advance::Completed);
     }
 }
 
@@ -64,7 +63,7 @@ fn c9_the_exact_flow_keeps_energy_and_time_for_hours_at_every_step() {
     for (h, seconds, most) in STEPS.map(|h| (h, 1e3, most(h))).into_iter().chain([long]) {
         let mut head = Head { k }.dropped(Exact);
         let mut count = Count::of("touch", h);
-        run_for(&mut head, &mut count, seconds, |mode| mode == Mode::Flight);
+        run_for(&mut head, (&mut count, no_input), seconds, |mode| mode == Mode::Flight);
         close(format_args!("h {h}: energy"), drift(*head.state()), 0.0, most);
         let expected = (head.tick() as f64 * h / period).floor() as u32 + 1;
         assert_eq!(count.number, expected, "h {h}: contacts");
@@ -79,7 +78,9 @@ fn rk4_loses_in_a_hundred_seconds_what_its_order_says() {
     for [k, _, _, period] in CONTACTS {
         for h in STEPS {
             let mut head = Head { k }.dropped(Rk4);
-            run_for(&mut head, &mut Count::of("touch", h), 100.0, |mode| mode == Mode::Flight);
+            run_for(&mut head, (&mut Count::of("touch", h), no_input), 100.0, |mode| {
+                mode == Mode::Flight
+            });
             let steps = std::f64::consts::PI / RADIANS;
             let once = 2.0 * RADIANS.powi(4) / 69.0 + steps * RADIANS.powi(6) / 144.0;
             let most = 2.0 * once * 100.0 / period;
@@ -94,25 +95,24 @@ fn an_hour_of_stick_and_slip_keeps_its_period() {
     let slip = (std::f64::consts::TAU - 2.0 * 0.5_f64.atan()) / 10.0;
     let period = slip + 0.1;
     for h in [1e-3, 7e-3] {
-        let model = Filippov(StickSlip { nature: Nature::new(EquationKind::Affine, 10.0) });
-        let (mode, state) = model.start(&[0.0, 0.1], &());
-        let exact = Exact;
-        let mut it = Simulator::new(model, exact, Limits::default(), mode, state);
-        let mut count = Count::of("leaves downwards", h);
-        run_for(&mut it, &mut count, 3600.0, |mode| mode == filippov::Mode::Sliding);
-        let n = f64::from(count.number - 1);
+        let belt = Motion { rate: 0.1, ..Motion::default() };
+        let mut it = Block::new(1.0, 100.0, [1.5, 1.0]).start(Exact, [0.0, 0.1], &belt);
+        let mut count = Count::of("belt", h);
+        let sticks = |mode| side(mode) == ContactState::Stick;
+        run_for(&mut it, (&mut count, |_| belt), 3600.0, sticks);
+        // Each cycle has a release and a capture.
+        let n = f64::from(count.number / 2 - 1);
         // Each release restarts the cycle, so only roundings of its times add up.
-        close(format_args!("h {h}: last release"), count.last, 0.15 + n * period, 1e-12 * n);
-        assert_eq!(count.number, ((count.last - 0.15) / period).round() as u32 + 1);
+        let capture = 0.15 + slip + n * period;
+        close(format_args!("h {h}: last capture"), count.last, capture, 1e-12 * n);
+        assert!(it.tick() as f64 * h < capture + period, "h {h}: {count:?}");
     }
 }
 
 #[test]
 fn a_slide_of_an_hour_stays_on_its_surface() {
-    let model = Filippov(Circle);
-    let (mode, state) = model.start(&[1.0, 0.0], &());
     let limits = Limits { longest_step: 0.02, ..Limits::default() };
-    let mut it = Simulator::new(model, Rk4, limits, mode, state);
+    let mut it = two_sided::start(Circle, [1.0, 0.0], &(), limits);
     for _ in 0..180_000 {
         assert_eq!(it.advance(0.02, &no_input, &mut Silent).advance, Advance::Completed);
         let [x, y] = *it.state();
@@ -122,30 +122,23 @@ fn a_slide_of_an_hour_stays_on_its_surface() {
     let [x, y] = *it.state();
     let angle = (y * 3600.0_f64.cos() - x * 3600.0_f64.sin()).asin();
     close("angle", angle, 0.0, 3600.0 * 0.02_f64.powi(4) / 100.0);
-    assert_eq!(it.mode(), filippov::Mode::Sliding);
+    assert_eq!(side(it.mode()), ContactState::Stick);
 }
 
 /// Turns about the origin at 1 rad/s, drawn onto the circle of radius 1 from both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Circle;
 
-impl Sided for Circle {
+impl TwoSided for Circle {
     type State = [f64; 2];
     type Input = ();
     const COORDS: usize = 2;
-    const SIZE: f64 = 1.0;
-    const RATE: f64 = 2.0;
 
-    fn derivative(&self, branch: Branch, x: &[f64; 2], (): &()) -> [f64; 2] {
-        let s = branch.side.sign();
-        [-x[1] - s * x[0], x[0] - s * x[1]]
+    fn flow(&self, side: f64, x: &[f64; 2], (): &()) -> [f64; 2] {
+        [-x[1] - side * x[0], x[0] - side * x[1]]
     }
 
-    fn readout(&self, _: Branch, _: &[f64; 2], (): &()) -> f64 {
-        MASS
-    }
-
-    fn surface(&self, x: &[f64; 2], (): &()) -> Surface<[f64; 2]> {
+    fn condition(&self, x: &[f64; 2], (): &()) -> Surface<[f64; 2]> {
         Surface {
             value: x[0] * x[0] + x[1] * x[1] - 1.0,
             gradient: [2.0 * x[0], 2.0 * x[1]],

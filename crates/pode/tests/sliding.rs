@@ -4,10 +4,12 @@
 //! exactly. What is left is rounding: each step rounds a state of size 4 at most by 4.5e-16, and an
 //! event's time errs by the state over the rate at which it is met.
 
-use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
+use pode::contacts::ContactState::{self, SlideDown, SlideUp, Stick};
+use pode::contacts::Surface;
 use pode::stepper::Rk4;
 use pode::{Limits, RecordedEvent, Simulator, Tick};
 
+use crate::common::two_sided::{self, Switched, TwoSided, states};
 use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::{Clock, run_driven};
 
@@ -26,34 +28,27 @@ fn polynomial(c: [f64; 4], t: f64) -> f64 {
     c[0] + t * (c[1] + t * (c[2] + t * c[3]))
 }
 
-impl Sided for Fields {
+impl TwoSided for Fields {
     type State = [f64; 2];
     type Input = Clock;
     const COORDS: usize = 2;
-    const SIZE: f64 = 1.0;
-    const RATE: f64 = 1.0;
 
-    fn derivative(&self, branch: Branch, _: &[f64; 2], t: &Clock) -> [f64; 2] {
-        let c = if branch.side == SurfaceSide::Above { self.above } else { self.below };
-        [self.size * polynomial(c, t.0), branch.side.sign()]
+    fn flow(&self, side: f64, _: &[f64; 2], t: &Clock) -> [f64; 2] {
+        let c = if side > 0.0 { self.above } else { self.below };
+        [self.size * polynomial(c, t.0), side]
     }
 
-    fn readout(&self, branch: Branch, _: &[f64; 2], _: &Clock) -> f64 {
-        branch.side.sign()
-    }
-
-    fn surface(&self, x: &[f64; 2], t: &Clock) -> Surface<[f64; 2]> {
+    fn condition(&self, x: &[f64; 2], t: &Clock) -> Surface<[f64; 2]> {
         let drift = self.size * self.drift;
         Surface { value: x[0] - drift * t.0, gradient: [1.0, 0.0], drift: -drift }
     }
 }
 
-type Slide = Simulator<Filippov<Fields>, Rk4>;
+type Slide = Simulator<Switched<Fields>, Rk4>;
 
 fn start(above: [f64; 4], below: [f64; 4], x: f64) -> Slide {
-    let model = Filippov(Fields { above, below, drift: 0.0, size: 1.0 });
-    let (mode, state) = model.start(&[x, 0.0], &Clock(0.0));
-    Simulator::new(model, Rk4, Limits::default(), mode, state)
+    let fields = Fields { above, below, drift: 0.0, size: 1.0 };
+    two_sided::start(fields, [x, 0.0], &Clock(0.0), Limits::default())
 }
 
 fn rounding(h: f64, t: f64) -> f64 {
@@ -64,17 +59,17 @@ fn events(
     it: &mut Slide,
     at: (f64, f64),
     until: f64,
-) -> (Vec<RecordedEvent<Filippov<Fields>>>, Vec<Tick>) {
+) -> (Vec<RecordedEvent<Switched<Fields>>>, Vec<Tick>) {
     let (recorder, ticks) = run_driven(it, at, until, Clock);
     all_completed(&ticks);
     (recorder.events().to_vec(), ticks)
 }
 
 #[track_caller]
-fn check(above: [f64; 4], below: [f64; 4], x: f64, until: f64, expected: &[(f64, Mode)]) {
+fn check(above: [f64; 4], below: [f64; 4], x: f64, until: f64, expected: &[(f64, ContactState)]) {
     each_step_and_phase(|h, phase| {
         let (seen, _) = events(&mut start(above, below, x), (h, phase), until);
-        let modes: Vec<_> = seen.iter().map(|it| it.to).collect();
+        let modes = states(&seen);
         let wanted: Vec<_> = expected.iter().map(|it| it.1).collect();
         assert_eq!(modes, wanted, "h {h}, phase {phase}: {:?}", seen[0].t);
         for (seen, (t, _)) in seen.iter().zip(expected) {
@@ -88,7 +83,7 @@ const C7: [[f64; 4]; 2] = [[-2.0, 1.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0]];
 #[test]
 fn c7_slides_from_its_hit_to_t_2_and_leaves_tangentially() {
     let hit = 2.0 - 2.0_f64.sqrt();
-    check(C7[0], C7[1], 1.0, 3.0, &[(hit, Mode::Sliding), (2.0, Mode::Above)]);
+    check(C7[0], C7[1], 1.0, 3.0, &[(hit, Stick), (2.0, SlideUp)]);
     each_step_and_phase(|h, phase| {
         let mut it = start(C7[0], C7[1], 1.0);
         let (seen, ticks) = events(&mut it, (h, phase), 3.0);
@@ -123,9 +118,9 @@ fn a_surface_that_repels_is_left_upwards_for_good() {
 
 #[test]
 fn a_surface_that_turns_from_attracting_to_repelling_is_left_where_it_turns() {
-    // r₊ = t − 1 and r₋ = 2 − 2t vanish together: leaving upwards has priority.
+    // r₊ = t − 1 and r₋ = 2 − 2t vanish together, and then their mean leads down.
     let [above, below] = [[-1.0, 1.0, 0.0, 0.0], [2.0, -2.0, 0.0, 0.0]];
-    check(above, below, 0.125, 2.0, &[(1.0 - 0.75_f64.sqrt(), Mode::Sliding), (1.0, Mode::Above)]);
+    check(above, below, 0.125, 2.0, &[(1.0 - 0.75_f64.sqrt(), Stick), (1.0, SlideDown)]);
 }
 
 #[test]
@@ -140,8 +135,7 @@ fn a_touch_of_an_attracting_surface_is_held_and_let_go() {
     each_step_and_phase(|h, phase| {
         let it = &mut start(above, [1.0, 0.0, 0.0, 0.0], 0.5 - 1e-6);
         let (seen, _) = events(it, (h, phase), 2.0);
-        let modes: Vec<_> = seen.iter().map(|it| it.to).collect();
-        assert_eq!(modes, [Mode::Sliding, Mode::Above], "h {h}, phase {phase}");
+        assert_eq!(states(&seen), [Stick, SlideUp], "h {h}, phase {phase}");
         close("hit", seen[0].t, hit, rounding(h, 1.0) / 1.4e-3);
         close("exit", seen[1].t, 1.0, 1e-14);
     });
@@ -153,13 +147,12 @@ fn a_slide_that_ends_with_a_flat_rate_ends_once() {
     // at the exit. x = 1/2 falls to zero at 1 − (3/4)^¼.
     let above = [-8.0, 24.0, -24.0, 8.0];
     each_step_and_phase(|h, phase| {
-        let it = start(above, [1.0, 0.0, 0.0, 0.0], 0.5);
         // A quartic is beyond the dense output by 2 h⁴ / 10: that must be below rounding.
         let limits = Limits { longest_step: 1e-4, ..Limits::default() };
-        let mut it = Simulator::new(*it.model(), Rk4, limits, it.mode(), *it.state());
+        let fields = Fields { above, below: [1.0, 0.0, 0.0, 0.0], drift: 0.0, size: 1.0 };
+        let mut it = two_sided::start(fields, [0.5, 0.0], &Clock(0.0), limits);
         let (seen, _) = events(&mut it, (h, phase), 2.0);
-        let modes: Vec<_> = seen.iter().map(|it| it.to).collect();
-        assert_eq!(modes, [Mode::Sliding, Mode::Above], "h {h}, phase {phase}: {seen:?}");
+        assert_eq!(states(&seen), [Stick, SlideUp], "h {h}, phase {phase}: {seen:?}");
         close("hit", seen[0].t, 1.0 - 0.75_f64.powf(0.25), rounding(1e-4, 1.0));
         // Where the cubic leaves the rounding of its terms, 24 × 16 ε: within ∛1e-14.
         close("exit", seen[1].t, 1.0, 3e-5);
@@ -171,7 +164,7 @@ fn a_rate_of_zero_at_the_surface_is_decided_by_its_change() {
     // Both meet x = 0 at t = 1, exactly where r₋ vanishes.
     let fall = [-1.0, 0.0, 0.0, 0.0];
     // r₋ = t − 1 turns up: it slides on.
-    check(fall, [-1.0, 1.0, 0.0, 0.0], 1.0, 2.0, &[(1.0, Mode::Sliding)]);
+    check(fall, [-1.0, 1.0, 0.0, 0.0], 1.0, 2.0, &[(1.0, Stick)]);
     // r₋ = 1 − t turns down: it is crossed.
-    check(fall, [1.0, -1.0, 0.0, 0.0], 1.0, 2.0, &[(1.0, Mode::Below)]);
+    check(fall, [1.0, -1.0, 0.0, 0.0], 1.0, 2.0, &[(1.0, SlideDown)]);
 }

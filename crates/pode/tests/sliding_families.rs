@@ -1,23 +1,18 @@
-//! Filippov systems at random against an event machine in closed form.
+//! Switches at random against an event machine in closed form.
 //!
 //! The rates are lines in the time, so x is a parabola on each side: the reference solves
 //! successive quadratics, without any step.
 
-use pode::filippov::{Filippov, Mode, Sided as _, SurfaceSide};
-use pode::stepper::Rk4;
-use pode::{Advance, Limits, Simulator};
+use pode::contacts::ContactState::{self, SlideDown, SlideUp, Stick};
+use pode::{Advance, Limits};
 use proptest::prelude::*;
 
+use crate::common::two_sided::{TwoSided as _, side, start, states};
 use crate::driven::{Clock, run_driven};
 use crate::sliding::Fields;
 
 fn line([a, b]: [f64; 2]) -> [f64; 4] {
     [a, b, 0.0, 0.0]
-}
-
-fn relative(lines: &Fields, side: SurfaceSide) -> [f64; 2] {
-    let [a, b, ..] = if side == SurfaceSide::Above { lines.above } else { lines.below };
-    [a - lines.drift, b]
 }
 
 fn first_root([c0, c1, c2]: [f64; 3], from: f64) -> Option<f64> {
@@ -34,7 +29,7 @@ fn first_root([c0, c1, c2]: [f64; 3], from: f64) -> Option<f64> {
 #[derive(Clone, Copy, Debug)]
 struct Epoch {
     from: f64,
-    mode: Mode,
+    mode: ContactState,
     /// Smallest rate in the decision for it.
     margin: f64,
 }
@@ -44,25 +39,22 @@ fn rate([a, b]: [f64; 2], t: f64) -> f64 {
 }
 
 fn reference(lines: &Fields, x: f64, until: f64) -> Vec<Epoch> {
-    let [up, down] = [SurfaceSide::Above, SurfaceSide::Below].map(|side| relative(lines, side));
-    let begin = if x > 0.0 { Mode::Above } else { Mode::Below };
+    let [up, down] = [lines.above, lines.below].map(|[a, b, ..]| [a - lines.drift, b]);
+    let begin = if x > 0.0 { SlideUp } else { SlideDown };
     let mut epochs = vec![Epoch { from: 0.0, mode: begin, margin: 1.0 }];
     let mut height = x;
     while let Some(&Epoch { from, mode, .. }) = epochs.last() {
         let ahead = from + 1e-7;
-        let next = match mode {
-            Mode::Sliding => {
-                let exits = [up, down].map(|line| first_root([line[0], line[1], 0.0], ahead));
-                let ends = exits.map(|t| t.unwrap_or(f64::INFINITY));
-                let (t, mode) =
-                    if ends[0] < ends[1] { (ends[0], Mode::Above) } else { (ends[1], Mode::Below) };
-                t.is_finite().then(|| Epoch { from: t, mode, margin: (ends[0] - ends[1]).abs() })
-            }
-            Mode::Above | Mode::Below => {
-                let [a, b] = if mode == Mode::Above { up } else { down };
-                let at_zero = height - a * from - 0.5 * b * from * from;
-                first_root([at_zero, a, 0.5 * b], ahead).map(|t| meet(up, down, t))
-            }
+        let next = if mode == Stick {
+            let exits = [up, down].map(|line| first_root([line[0], line[1], 0.0], ahead));
+            let ends = exits.map(|t| t.unwrap_or(f64::INFINITY));
+            let (t, mode) =
+                if ends[0] < ends[1] { (ends[0], SlideUp) } else { (ends[1], SlideDown) };
+            t.is_finite().then(|| Epoch { from: t, mode, margin: (ends[0] - ends[1]).abs() })
+        } else {
+            let [a, b] = if mode == SlideUp { up } else { down };
+            let at_zero = height - a * from - 0.5 * b * from * from;
+            first_root([at_zero, a, 0.5 * b], ahead).map(|t| meet(up, down, t))
         };
         height = 0.0;
         match next {
@@ -76,9 +68,9 @@ fn reference(lines: &Fields, x: f64, until: f64) -> Vec<Epoch> {
 fn meet(up: [f64; 2], down: [f64; 2], t: f64) -> Epoch {
     let [above, below] = [rate(up, t), rate(down, t)];
     let mode = match (above < 0.0, below > 0.0) {
-        (true, true) => Mode::Sliding,
-        (true, false) => Mode::Below,
-        (false, _) => Mode::Above,
+        (true, true) => Stick,
+        (true, false) => SlideDown,
+        (false, _) => SlideUp,
     };
     Epoch { from: t, mode, margin: above.abs().min(below.abs()) }
 }
@@ -107,15 +99,12 @@ proptest! {
         let expected = reference(&lines, x, 4.0);
         // Where a decision hangs on a margin of 1e-6, rounding may decide.
         prop_assume!(expected.iter().all(|epoch| epoch.margin > 1e-6 && (epoch.from - 4.0).abs() > 1e-6));
-        let model = Filippov(lines);
-        let (mode, state) = model.start(&[lines.size * x, 0.0], &Clock(0.0));
-        let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
+        let mut it = start(lines, [lines.size * x, 0.0], &Clock(0.0), Limits::default());
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, Clock);
         prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed));
-        let found: Vec<_> = recorder.events().iter().map(|it| (it.t, it.to)).collect();
-        prop_assert_eq!(found.len(), expected.len() - 1, "{:?} {:?}", &found, &expected);
-        for ((t, mode), epoch) in found.iter().zip(&expected[1..]) {
-            prop_assert_eq!(*mode, epoch.mode);
+        let modes: Vec<_> = expected[1..].iter().map(|epoch| epoch.mode).collect();
+        prop_assert_eq!(states(recorder.events()), modes, "{:?} {:?}", recorder.times(), &expected);
+        for (t, epoch) in recorder.times().iter().zip(&expected[1..]) {
             // Rounding of some 4000 steps over the rate with which the surface is met.
             let tolerance = 1e-11 / epoch.margin.min(1.0);
             prop_assert!((t - epoch.from).abs() < tolerance, "{} is not {}", t, epoch.from);
@@ -140,19 +129,15 @@ proptest! {
             drift: 0.5 * f64::from(drift),
             size: 10_f64.powi(exponent),
         };
-        let model = Filippov(lines);
-        let (mode, state) = model.start(&[0.5 * lines.size * f64::from(x), 0.0], &Clock(0.0));
-        let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
+        let x = [0.5 * lines.size * f64::from(x), 0.0];
+        let mut it = start(lines, x, &Clock(0.0), Limits::default());
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, Clock);
         prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed), "{:?}", recorder.events());
         // A parabola meets its surface twice at most, on either side, and is let go twice.
         prop_assert!(recorder.events().len() <= 6, "{:?}", recorder.events());
-        let height = model.0.surface(it.state(), &Clock(4.0)).value / lines.size.max(1.0);
-        let is_there = match it.mode() {
-            Mode::Above => height > -1e-12,
-            Mode::Below => height < 1e-12,
-            Mode::Sliding => height.abs() < 1e-12,
-        };
-        prop_assert!(is_there, "{:?} at {:e}", it.mode(), height);
+        let height = lines.condition(it.state(), &Clock(4.0)).value / lines.size.max(1.0);
+        let state = side(it.mode());
+        let beyond = if state == Stick { height.abs() } else { -state.slip_sign() * height };
+        prop_assert!(beyond < 1e-12, "{:?} at {:e}", state, height);
     }
 }

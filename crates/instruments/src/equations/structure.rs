@@ -5,9 +5,8 @@ use core::array;
 use pode::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
     CoupledFrictions, FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts,
-    MAX_FRICTIONS, SlipKind, WithContacts,
+    MAX_FRICTIONS, SlipKind, Surface, WithContacts,
 };
-use pode::filippov::Surface;
 use pode::{
     Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion,
     Nature, ReadoutSlopes, Reset, Sloped,

@@ -13,8 +13,7 @@
 
 use super::point::{ContactMotion, ContactPoint};
 use super::solve::{Mobility, PerFriction};
-use super::{ContactGuard, FrictionForces, GuardedContacts, MAX_FRICTIONS};
-use crate::filippov::Surface;
+use super::{ContactGuard, FrictionForces, GuardedContacts, MAX_FRICTIONS, Surface};
 use crate::{GuardId, GuardValue, State as _};
 
 /// Fraction of its diagonal below which a pivot of a stick counts as zero: others hold it.

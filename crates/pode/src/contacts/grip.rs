@@ -1,8 +1,7 @@
 //! The hold of a friction, and the direction of its slip.
 
 use crate::contacts::point::{ContactMotion, ContactPoint};
-use crate::contacts::{ContactState, FrictionForces, FrictionSpec, GuardedContacts};
-use crate::filippov::Surface;
+use crate::contacts::{ContactState, FrictionForces, FrictionSpec, GuardedContacts, Surface};
 use crate::{GuardSpec, GuardValue};
 
 /// Largest time (in moments) between two crossings that are no longer followed.

@@ -54,21 +54,31 @@
 //! one derivative, a stick's three; [`Work`](crate::Work) counts each as one guard. A change of n
 //! frictions at one instant costs at most 16 n² derivatives.
 //!
-//! # Beside [`filippov`](crate::filippov)
-//!
-//! A bearing with the response ½ (f₋ − f₊), the derivative ½ (f₋ + f₊) and a stiction of 1 is
-//! Filippov's surface where that attracts or is crossed; both share
-//! [`Surface`](crate::filippov::Surface). Here many surfaces coexist, with further guards; there
-//! the two sides may be any equations, and a surface may repel.
-//!
 //! # Switches
 //!
-//! A branch of the equations by the sign of a condition c(x, u) is a bearing as well
-//! ([`FrictionSpec::switch`]): the slip is c, the derivative ½ (f₋ + f₊), the response ½ (f₋ − f₊),
-//! and both limits are 1. It takes no power. Where f₊ − f₋ does not change c', as of a force that
-//! sets in at a place, [`FrictionalContacts::kept`] is c' with its derivatives: a stick keeps
-//! c' = 0 there. It begins where both sides drive the state back to c = 0 within 32
-//! [`FrictionalContacts::MOMENT`], so that a key that rests on a step does not chatter.
+//! A branch of the equations by the sign of a condition c(x, u), with f₊ above and f₋ below, is a
+//! bearing as well ([`FrictionSpec::switch`]): the slip is c, the derivative ½ (f₋ + f₊), the
+//! response ½ (f₋ − f₊), and both limits are 1. It takes no power. A stick is Filippov's slide, with
+//! the force 1 − 2α:
+//!
+//! ```text
+//! x' = (1 − α) f₋ + α f₊,   α = c'₋ / (c'₋ − c'₊),   so that c' = 0
+//! ```
+//!
+//! At c = 0 the rates on both sides decide, and where one is zero, its own derivative:
+//!
+//! | c'₊ | c'₋ | c = 0 | next |
+//! |---|---|---|---|
+//! | − | + | attracts | `Stick` |
+//! | − | − | is crossed | `SlideDown` |
+//! | + | + | is crossed | `SlideUp` |
+//! | + | − | repels | the slide along the mean of both; `SlideUp` if that keeps c' = 0 |
+//!
+//! A stick ends tangentially, with c = c' = 0: the next side departs from there and fires nothing.
+//! Where f₊ − f₋ does not change c', as of a force that sets in at a place,
+//! [`FrictionalContacts::kept`] is c' with its derivatives: a stick keeps c' = 0 there. It begins
+//! where both sides drive the state back to c = 0 within 32 [`FrictionalContacts::MOMENT`], so that
+//! a key that rests on a step does not chatter.
 //!
 //! # What is not here
 //!
@@ -78,9 +88,10 @@
 //! ([`CoupledFrictions::pressed_by`]).
 //!
 //! # References
-//! `[Fil88]` §4 for the slide, `[DL09]` for its end, `[PG96]` for several
-//! contacts at once, `[Mur74]` for the pivoting.
+//! `[Fil88]` §4, §10 and §19 for the slide, `[PK08]` for its event functions, `[DL09]` for its end,
+//! `[PG96]` for several contacts at once, `[Mur74]` for the pivoting.
 
+mod continued;
 mod coupled;
 mod energy;
 mod forces;
@@ -93,15 +104,18 @@ mod set;
 mod slopes;
 mod solve;
 mod spec;
+mod surface;
 mod system;
 
 pub mod restitution;
 
+pub use continued::Continued;
 pub use energy::EnergeticContacts;
 pub use forces::FrictionForces;
 pub use guards::TooManyGuards;
 pub use set::{ContactIndices, ContactSet, ContactState, IndexIter, MAX_CONTACTS};
 pub use spec::{ContactGuard, ContactSpec, FrictionSpec, MAX_FRICTIONS, SlipKind};
+pub use surface::Surface;
 pub use system::{
     ContactSystem, CoupledFrictions, FrictionLimits, FrictionalContacts, GuardedContacts,
 };

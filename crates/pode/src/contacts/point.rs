@@ -3,9 +3,9 @@
 use crate::State as _;
 use crate::contacts::solve::{Mobility, PerFriction, least_norm};
 use crate::contacts::{
-    ContactIndices, ContactMode, FrictionForces, FrictionLimits, GuardedContacts, MAX_FRICTIONS,
+    ContactIndices, ContactMode, Continued as _, FrictionForces, FrictionLimits, GuardedContacts,
+    MAX_FRICTIONS, Surface,
 };
-use crate::filippov::{Continued as _, Surface};
 
 pub(super) struct ContactPoint<'a, M: GuardedContacts> {
     pub(super) system: &'a M,

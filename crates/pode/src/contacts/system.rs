@@ -3,9 +3,9 @@
 use core::fmt::Debug;
 
 use crate::contacts::{
-    ContactGuard, ContactIndices, ContactSet, ContactSpec, FrictionForces, WithContacts,
+    ContactGuard, ContactIndices, ContactSet, ContactSpec, Continued, FrictionForces, Surface,
+    WithContacts,
 };
-use crate::filippov::{Continued, Surface};
 use crate::{
     Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Nature, ReadoutSlopes, Reset, State,
 };
@@ -174,7 +174,8 @@ pub trait FrictionalContacts: CoupledFrictions {
         self.response(structure, contact, x, input)
     }
 
-    /// Returns the largest friction forces (N), not negative; kinetic may depend on the slip.
+    /// Returns the largest friction forces (N), not negative. Kinetic may depend on the slip, as an
+    /// even function: a step also evaluates it slightly past slip zero, where |s| has a kink.
     fn friction(
         &self,
         _structure: Self::Structure,

@@ -1,7 +1,8 @@
 //! Small models with known solutions, and helpers of the event tests.
 
+pub mod block;
 pub mod head;
-pub mod stick_slip;
+pub mod two_sided;
 
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::stepper::Rk4;

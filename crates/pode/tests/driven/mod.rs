@@ -1,6 +1,6 @@
 //! Models driven by time or by a known motion, run like those without an input.
 
-use pode::filippov::Continued;
+use pode::contacts::Continued;
 use pode::{Resets, Simulator, Stepper, Tick};
 
 use pode::RunRecorder;

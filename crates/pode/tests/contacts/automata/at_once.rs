@@ -1,16 +1,15 @@
 //! Changes at one instant, and contacts that hold the same motion.
 
 use pode::contacts::{
-    ContactIndices, ContactSpec, ContactState, ContactSystem, CoupledFrictions, FrictionSpec,
-    FrictionalContacts, GuardedContacts, WithContacts,
+    ContactIndices, ContactSpec, ContactState, ContactSystem, CoupledFrictions, FrictionalContacts,
+    GuardedContacts, WithContacts,
 };
 use pode::stepper::Rk4;
 use pode::{Advance, Cap, GuardValue, Limits, Motion, Simulator};
 
+use crate::common::block::{self, Block};
 use crate::common::{G, all_completed, close, run};
 use crate::driven::{root, run_driven};
-
-use super::belt::{Block, block};
 
 /// A mass of 1 kg over equal springs that all touch at height 0.
 #[derive(Debug)]
@@ -79,14 +78,9 @@ fn a_cascade_that_is_too_short_is_told() {
 
 /// Returns `n` contacts of 1 N together on 1 kg and 100 N/m; 1.5 times that can hold.
 fn shared(n: usize, belt: Motion) -> Simulator<WithContacts<Block>, Rk4> {
-    let contacts = NAMES[..n]
-        .iter()
-        .map(|name| ContactSpec::bearing(name, FrictionSpec::new(name, 1.0, 0.1)))
-        .collect();
-    let block = Block { mass: 1.0, k: 100.0, stiction: 1.5, kinetic: 1.0, stop: 1e3, ..block() };
-    let model = WithContacts::new(Block { contacts, ..block }).unwrap();
-    let (mode, x) = model.start((), &[0.0, belt.rate], &belt);
-    Simulator::new(model, Rk4, Limits::default(), mode, x)
+    let contacts = NAMES[..n].iter().map(|name| block::belt(name, 0.1)).collect();
+    let block = Block { contacts, ..Block::new(1.0, 100.0, [1.5, 1.0]) };
+    block.start(Rk4, [0.0, belt.rate], &belt)
 }
 
 #[test]

@@ -3,133 +3,13 @@
 //! The reference joins closed forms: a harmonic motion about F_k/k while it slips, the belt's
 //! motion while it sticks, and v⁺ = −e v⁻ at the stop.
 
-use pode::contacts::{
-    ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, CoupledFrictions,
-    EnergeticContacts, FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts,
-    GuardedContacts, WithContacts,
-};
-use pode::filippov::Surface;
+use pode::contacts::ContactState;
 use pode::stepper::Exact;
-use pode::{
-    EnergyAudit, EnergyBalance, EquationKind, GuardId, GuardSpec, GuardValue, Limits, Motion,
-    Nature, Reset, Simulator,
-};
+use pode::{EnergyAudit, Motion};
 
+use crate::common::block::{Block, belt};
 use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::{root, run_driven};
-
-/// A mass on a spring: place (m) and speed (m/s) over a fixed ground.
-#[derive(Clone, Debug)]
-pub struct Block {
-    /// They hold and slip together, each with its share of the friction.
-    pub contacts: Vec<ContactSpec>,
-    pub mass: f64,
-    pub k: f64,
-    pub stiction: f64,
-    pub kinetic: f64,
-    /// Place of the stop (m), and its restitution.
-    pub stop: f64,
-    pub restitution: f64,
-}
-
-const STOP: [GuardSpec; 1] = [GuardSpec::new(0, "stop").scaled(0.1)];
-
-impl Block {
-    fn omega(&self) -> f64 {
-        (self.k / self.mass).sqrt()
-    }
-}
-
-impl ContactSystem for Block {
-    type Structure = ();
-    type State = [f64; 2];
-    type Input = Motion;
-    const COORDS: usize = 1;
-
-    fn contacts(&self) -> &[ContactSpec] {
-        &self.contacts
-    }
-
-    fn gap(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> GuardValue {
-        unreachable!("the belt is always there")
-    }
-
-    fn derivative(&self, (): (), _: ContactIndices, x: &[f64; 2], _: &Motion) -> [f64; 2] {
-        [x[1], -self.k * x[0] / self.mass]
-    }
-
-    fn readout(
-        &self,
-        (): (),
-        _: ContactIndices,
-        forces: &FrictionForces,
-        _: &[f64; 2],
-        _: &Motion,
-    ) -> f64 {
-        forces.at(0)
-    }
-
-    fn nature(&self, (): (), _: ContactSet) -> Nature {
-        Nature::new(EquationKind::Linear, self.omega())
-    }
-}
-
-impl CoupledFrictions for Block {}
-
-impl FrictionalContacts for Block {
-    fn slip(&self, (): (), _: usize, x: &[f64; 2], belt: &Motion) -> Surface<[f64; 2]> {
-        Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift: -belt.acceleration }
-    }
-
-    fn response(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> [f64; 2] {
-        [0.0, 1.0 / self.mass]
-    }
-
-    fn friction(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> FrictionLimits {
-        let [stiction, kinetic] =
-            [self.stiction, self.kinetic].map(|force| force / self.contacts.len() as f64);
-        FrictionLimits { stiction, kinetic }
-    }
-}
-
-impl GuardedContacts for Block {
-    fn structure_guards(&self) -> &[GuardSpec] {
-        &STOP
-    }
-
-    fn structure_guard(&self, (): (), _: GuardId, x: &[f64; 2], _: &Motion) -> GuardValue {
-        GuardValue::new(self.stop - x[0], -x[1])
-    }
-
-    fn reset(
-        &self,
-        structure: (),
-        contacts: ContactSet,
-        _: GuardId,
-        x: &[f64; 2],
-        _: &Motion,
-    ) -> Reset<WithContacts<Self>> {
-        let mode = pode::contacts::ContactMode { structure, contacts };
-        Reset::to(mode, [self.stop, -self.restitution * x[1]])
-    }
-}
-
-impl EnergeticContacts for Block {
-    fn balance(
-        &self,
-        (): (),
-        _: ContactIndices,
-        forces: &FrictionForces,
-        x: &[f64; 2],
-        belt: &Motion,
-    ) -> EnergyBalance {
-        EnergyBalance {
-            energy: 0.5 * self.mass * x[1] * x[1] + 0.5 * self.k * x[0] * x[0],
-            supplied: forces.at(0) * belt.rate,
-            dissipated: 0.0,
-        }
-    }
-}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Ends {
@@ -181,10 +61,8 @@ fn check(it: Block, expected: &[Ends], (h, phase): (f64, f64)) {
     let speed = 0.15;
     let belt = |t: f64| Motion { position: speed * t, rate: speed, ..Motion::default() };
     let pieces = pieces(&it, 0.0, speed, expected.len());
-    let model = WithContacts::new(it).unwrap();
-    let (mode, x) = model.start((), &[0.0, speed], &belt(0.0));
-    assert_eq!(mode.contacts.state(0), ContactState::Stick);
-    let mut simulator = Simulator::new(model, Exact, Limits::default(), mode, x);
+    let mut simulator = it.start(Exact, [0.0, speed], &belt(0.0));
+    assert_eq!(simulator.mode().contacts.state(0), ContactState::Stick);
     let until = pieces[pieces.len() - 1].0 + 1e-3;
     let (recorder, ticks) = run_driven(&mut simulator, (h, phase), until, belt);
     all_completed(&ticks);
@@ -207,17 +85,9 @@ fn check(it: Block, expected: &[Ends], (h, phase): (f64, f64)) {
     }
 }
 
-pub fn block() -> Block {
-    let friction = FrictionSpec::new("belt", 1.0, 0.1);
-    Block {
-        contacts: vec![ContactSpec::bearing("belt", friction)],
-        mass: 0.5,
-        k: 80.0,
-        stiction: 2.0,
-        kinetic: 1.2,
-        stop: 0.03,
-        restitution: 0.6,
-    }
+fn block() -> Block {
+    let contacts = vec![belt("belt", 0.1)];
+    Block { contacts, stop: 0.03, ..Block::new(0.5, 80.0, [2.0, 1.2]) }
 }
 
 #[test]
@@ -236,9 +106,7 @@ fn a_block_on_a_belt_is_carried_to_a_stop_thrown_back_and_carried_again() {
 #[test]
 fn belt_friction_and_stop_keep_the_books_of_the_energy() {
     let belt = |t: f64| Motion { position: 0.15 * t, rate: 0.15, ..Motion::default() };
-    let model = WithContacts::new(block()).unwrap();
-    let (mode, x) = model.start((), &[0.0, 0.15], &belt(0.0));
-    let mut it = Simulator::new(model, Exact, Limits::default(), mode, x);
+    let mut it = block().start(Exact, [0.0, 0.15], &belt(0.0));
     let mut audit = EnergyAudit::default();
     for n in 0..2000 {
         let t = f64::from(n) * 1e-3;

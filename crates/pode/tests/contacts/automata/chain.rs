@@ -4,9 +4,8 @@
 use pode::contacts::{
     ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, CoupledFrictions,
     EnergeticContacts, FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts,
-    GuardedContacts, WithContacts,
+    GuardedContacts, Surface, WithContacts,
 };
-use pode::filippov::Surface;
 use pode::stepper::Rk4;
 use pode::{EnergyAudit, EnergyBalance, GuardValue, Limits, Nature, Simulator};
 use proptest::prelude::*;

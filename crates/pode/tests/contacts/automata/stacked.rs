@@ -3,9 +3,8 @@
 
 use pode::contacts::{
     ContactIndices, ContactSpec, ContactState, ContactSystem, CoupledFrictions, FrictionLimits,
-    FrictionSpec, FrictionalContacts, GuardedContacts, WithContacts,
+    FrictionSpec, FrictionalContacts, GuardedContacts, Surface, WithContacts,
 };
-use pode::filippov::Surface;
 use pode::stepper::Rk4;
 use pode::{GuardValue, Limits, Simulator};
 

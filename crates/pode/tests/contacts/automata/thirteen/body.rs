@@ -7,9 +7,8 @@ use std::cell::Cell;
 
 use pode::contacts::{
     ContactIndices, ContactSpec, ContactSystem, CoupledFrictions, FrictionLimits, FrictionSpec,
-    FrictionalContacts, GuardedContacts,
+    FrictionalContacts, GuardedContacts, Surface,
 };
-use pode::filippov::Surface;
 use pode::{GuardValue, State as _};
 
 use crate::driven::Clock;
