@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::letoff::{folder, run};
 
-const DOCUMENTS: &str = "README BOARDS CONTACTS FIGURE6 GUIDE IMPEDANCE LANGUAGE MANUAL STABILITY";
+const DOCUMENTS: &str = "README BOARDS CONTACTS FIGURE6 GUIDE HARD IMPEDANCE LANGUAGE MANUAL STABILITY";
 
 struct Document {
     path: PathBuf,

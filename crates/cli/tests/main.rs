@@ -3,7 +3,6 @@
 
 mod boards;
 mod bounds;
-mod cases;
 mod common;
 mod control;
 mod dash;

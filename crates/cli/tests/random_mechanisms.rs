@@ -5,12 +5,18 @@
 //! `LETOFF_RANDOM_SEED` the first seed.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::cases::{METHODS, read, report, simulate};
+use clap::Parser as _;
+use cli::simulate::{SimulateArgs, TimedEvent, simulate};
+use instruments::LoadedModel;
+use mechanism::Library;
+
 use crate::random::Random;
+
+const METHODS: [&str; 5] = ["rk4", "dop853", "tsitouras5", "by-need", "exact"];
 
 const STEP: f64 = 1e-3;
 const UNTIL: f64 = 0.4;
@@ -147,43 +153,51 @@ impl RandomMechanism {
     }
 }
 
-/// Events of a run by name and time, or what the program reported instead.
-type Outcome = Result<Vec<(String, f64)>, String>;
+/// Events of a run, or what it reported instead.
+type Outcome = Result<Vec<TimedEvent>, String>;
 
 struct Bench {
-    folder: PathBuf,
+    model: Arc<LoadedModel>,
     speeds: Vec<(String, f64)>,
 }
 
 impl Bench {
+    fn new(random: &mut Random) -> Self {
+        let mechanism = RandomMechanism::new(random);
+        let (library, path) = (Library::default(), Path::new("it.toml"));
+        library.keep_file(path, &mechanism.text());
+        let model = library.load(path).expect("a good description");
+        Self { model, speeds: mechanism.speeds }
+    }
+
     fn run(&self, method: &str, step: f64, factor: f64) -> Outcome {
-        let events = self.folder.join("events.csv");
-        let start = |(name, speed): &(String, f64)| format!("{name}={}", factor * speed);
-        let initial: Vec<_> =
-            [String::from("--initial")].into_iter().chain(self.speeds.iter().map(start)).collect();
-        let model = self.folder.join("it.toml");
-        let report = report(&simulate(&model, (UNTIL, step), method, &events, &initial))?;
-        let error = report["energy_audit"]["error"].as_f64().expect("an audit");
+        let [until, step] = [UNTIL, step].map(|it| it.to_string());
+        let mut words = ["simulate", "it", "--until", &until, "--step", &step, "--method", method]
+            .map(str::to_owned)
+            .to_vec();
+        words.push("--initial".to_owned());
+        words.extend(self.speeds.iter().map(|(name, it)| format!("{name}={}", factor * it)));
+        let args = SimulateArgs::try_parse_from(words).expect("arguments");
+        let done = simulate(&self.model, &args).map_err(|error| error.to_string())?;
+        let error = done.report["energy_audit"]["error"].as_f64().expect("an audit");
         if error > 0.01 {
             return Err(format!("{error} of the energy"));
         }
-        Ok(without_endings(&read(&events)))
+        Ok(without_endings(&done.events))
     }
 }
 
 /// Removes what comes shortly before rebounds end, and what may come after the end of the run.
-fn without_endings(events: &[(String, f64)]) -> Vec<(String, f64)> {
-    let ends = |t: f64| {
-        let is_end =
-            |(name, end): &&(String, f64)| name == "settled" && (0.0..ENDING).contains(&(end - t));
-        events.iter().any(|it| is_end(&it))
-    };
-    let stays = |(name, t): &&(String, f64)| name == "settled" || !ends(*t);
-    events.iter().filter(stays).filter(|it| it.1 < UNTIL - ENDING).cloned().collect()
+fn without_endings(events: &[TimedEvent]) -> Vec<TimedEvent> {
+    let is_end =
+        |it: &TimedEvent, t: f64| it.name == "settled" && (0.0..ENDING).contains(&(it.t - t));
+    let stays =
+        |it: &&TimedEvent| it.name == "settled" || !events.iter().any(|end| is_end(end, it.t));
+    events.iter().filter(stays).filter(|it| it.t < UNTIL - ENDING).copied().collect()
 }
 
-fn are_same(one: &[(String, f64)], other: &[(String, f64)]) -> bool {
-    let is_near = |(a, b): (&(String, f64), &(String, f64))| a.0 == b.0 && (a.1 - b.1).abs() < NEAR;
+fn are_same(one: &[TimedEvent], other: &[TimedEvent]) -> bool {
+    let is_near = |(a, b): (&TimedEvent, &TimedEvent)| a.name == b.name && (a.t - b.t).abs() < NEAR;
     one.len() == other.len() && one.iter().zip(other).all(is_near)
 }
 
@@ -196,17 +210,13 @@ fn random_mechanisms_have_one_sequence_by_all_methods() {
     let begun = Instant::now();
     let patience = setting("LETOFF_RANDOM_SECONDS").map(Duration::from_secs);
     let first = setting("LETOFF_RANDOM_SEED").unwrap_or(1);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("random-mechanisms");
-    fs::create_dir_all(&folder).expect("a folder");
     let (mut equal, mut reported, mut sensitive, mut events) = (0, 0, 0, 0);
     let mut wrong = Vec::new();
     for seed in first.. {
         if patience.map_or(seed == first + 30, |patience| patience < begun.elapsed()) {
             break;
         }
-        let mechanism = RandomMechanism::new(&mut Random::new(seed));
-        fs::write(folder.join("it.toml"), mechanism.text()).expect("a file");
-        let bench = Bench { folder: folder.clone(), speeds: mechanism.speeds };
+        let bench = Bench::new(&mut Random::new(seed));
         let Ok(reference) = bench.run("dop853", STEP / 100.0, 1.0) else {
             reported += 1;
             continue;

@@ -4,6 +4,7 @@
 //! command/    the command line: a file for each study, and the list of them
 //! scenario/   problems with known answers: models, inputs, references
 //! accuracy/   runs each with every method and step, judges it, times it
+//! hard/       cases on which other tools fail, with every method
 //! report/     page, tables and pictures of every study; the accuracy of all methods
 //! piano/      an instrument beside measured grands
 //! fit/        an instrument from a measured action
@@ -22,6 +23,7 @@ pub mod accuracy;
 pub mod command;
 pub mod figure6;
 pub mod fit;
+pub mod hard;
 pub mod impedance;
 pub mod piano;
 pub mod random;

@@ -97,6 +97,10 @@ pub struct SimulateArgs {
     #[command(flatten)]
     pub output: OutputArgs,
 
+    /// Number of the first tick.
+    #[arg(skip)]
+    pub first_tick: u64,
+
     /// The fields with which its JSON begins: which program made it, and when.
     #[arg(skip)]
     pub header: serde_json::Map<String, serde_json::Value>,
@@ -117,6 +121,10 @@ pub struct OutputArgs {
     /// events as lines.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+
+    /// `true` if the events are kept in memory too.
+    #[arg(skip)]
+    pub is_listed: bool,
 
     /// Print counts, final state and energy audit as one JSON object.
     #[arg(long)]

@@ -50,6 +50,8 @@ pub(super) struct TickClock {
     pub(super) until: f64,
     /// Number of ticks; the last may be shorter.
     pub(super) ticks: u64,
+    /// Number of the first tick, which starts at 0 s.
+    pub(super) first: u64,
     pub(super) method: StudiedMethod,
     pub(super) limits: Limits,
 }
@@ -76,7 +78,9 @@ impl TickClock {
         let limits = Limits { longest_step: step, event_tolerance, ..default };
         #[expect(clippy::cast_possible_truncation, reason = "at most MOST_TICKS, or a mistake")]
         #[expect(clippy::cast_sign_loss, reason = "at least 1")]
-        Self { step, until, ticks: ticks as u64, method: method(args, mistakes), limits }
+        let ticks = ticks as u64;
+        let method = method(args, mistakes);
+        Self { step, until, ticks, first: args.first_tick, method, limits }
     }
 
     /// Returns the length of tick `tick` (s).

@@ -91,7 +91,8 @@ fn drive<M: Playable, T: Stepper>(
         taken: Vec::new(),
     };
     let mut tally = RunTally::default();
-    let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
+    let simulator = Simulator::new(model, stepper, clock.limits, mode, state);
+    let mut simulator = simulator.with_tick(clock.first);
     if start.model.entry().input.is_empty() {
         simulator = simulator.without_readout();
     }
@@ -193,15 +194,16 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
             self.scale.see(model, (piece.mode, x), input, self.audit.stored);
         }
         self.note_choice(model, piece);
-        let t = self.clock.time(piece.tick, piece.theta_end());
+        let tick = piece.tick - self.clock.first;
+        let t = self.clock.time(tick, piece.theta_end());
         self.last = (t, piece.mode, piece.end);
-        let start = self.clock.time(piece.tick, piece.theta.0);
+        let start = self.clock.time(tick, piece.theta.0);
         self.files.piece(model, (start, t), piece);
     }
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {
         self.audit.event(model, event);
-        let t = self.clock.time(event.tick, event.theta);
+        let t = self.clock.time(event.tick - self.clock.first, event.theta);
         self.last = (t, event.after.0, event.after.1);
         match event.cause {
             EventCause::Impacts(n) => self.closed_form.0 += n,

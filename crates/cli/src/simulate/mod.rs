@@ -20,7 +20,7 @@ mod tests;
 use std::io::Write;
 use std::path::Path;
 
-use instruments::{Playable, Visitor};
+use instruments::{LoadedModel, Playable, Visitor};
 use mechanism::Library;
 
 pub use self::args::{Reconstruct, SimulateArgs};
@@ -30,7 +30,10 @@ pub use self::input::InputMistake;
 pub use self::input::InputTable;
 use self::input::{HeldInput, InputSignal};
 use self::output::OutputFiles;
+pub use self::output::TimedEvent;
 pub use self::studied_method::{MethodVisitor, StudiedMethod};
+pub use self::summary::MOST_ENERGY_ERROR;
+use self::summary::SimulationReport;
 
 /// Simulates as `args` ask; writes warnings on the input to `note`, then the summary to `out`.
 ///
@@ -42,21 +45,39 @@ pub fn run(
     out: &mut dyn Write,
     note: &mut dyn FnMut(&str),
 ) -> Result<(), SimulateError> {
-    let mut mistakes = Vec::new();
-    let clock = TickClock::check(args, &mut mistakes);
-    let mut input_mistakes = Vec::new();
-    let input = InputSignal::read(args, &mut input_mistakes);
-    mistakes.extend(input_mistakes.into_iter().map(SimulateMistake::Input));
-    check::rest(args, &mut mistakes);
-    let model = match Library::default().find(&args.model, Path::new("")) {
+    let model = Library::default().find(&args.model, Path::new(""));
+    let mut job = SimulationJob::new(args, note);
+    let model = match model {
         Ok(model) => model,
         Err(missing) => {
-            mistakes.insert(0, SimulateMistake::Model(missing));
-            return Err(SimulateError::Usage(mistakes));
+            job.mistakes.insert(0, SimulateMistake::Model(missing));
+            return Err(SimulateError::Usage(job.mistakes));
         }
     };
-    let job = SimulationJob { args, clock, input, mistakes, out, note };
-    model.visit(job)
+    let (report, _events) = model.visit(job)?;
+    summary::write(&report, args, out).map_err(SimulateError::Summary)?;
+    report.into_result(args)
+}
+
+/// A finished simulation, for a study.
+#[derive(Clone, Debug)]
+pub struct Simulated {
+    /// Counts, final state and energy audit, as `--json` prints them.
+    pub report: serde_json::Value,
+    pub events: Vec<TimedEvent>,
+}
+
+/// Simulates `model`, whatever `args` call it, and returns its events instead of a summary.
+///
+/// # Errors
+/// Like [`run`].
+pub fn simulate(model: &LoadedModel, args: &SimulateArgs) -> Result<Simulated, SimulateError> {
+    let mut args = args.clone();
+    args.output.is_listed = true;
+    let (report, events) = model.visit(SimulationJob::new(&args, &mut |_remark| ()))?;
+    let json = report.json();
+    report.into_result(&args)?;
+    Ok(Simulated { report: json, events })
 }
 
 struct SimulationJob<'a> {
@@ -64,15 +85,26 @@ struct SimulationJob<'a> {
     clock: TickClock,
     input: InputSignal,
     mistakes: Vec<SimulateMistake>,
-    out: &'a mut dyn Write,
     note: &'a mut dyn FnMut(&str),
 }
 
+impl<'a> SimulationJob<'a> {
+    fn new(args: &'a SimulateArgs, note: &'a mut dyn FnMut(&str)) -> Self {
+        let mut mistakes = Vec::new();
+        let clock = TickClock::check(args, &mut mistakes);
+        let mut input_mistakes = Vec::new();
+        let input = InputSignal::read(args, &mut input_mistakes);
+        mistakes.extend(input_mistakes.into_iter().map(SimulateMistake::Input));
+        check::rest(args, &mut mistakes);
+        Self { args, clock, input, mistakes, note }
+    }
+}
+
 impl Visitor for SimulationJob<'_> {
-    type Output = Result<(), SimulateError>;
+    type Output = Result<(SimulationReport, Vec<TimedEvent>), SimulateError>;
 
     fn visit<M: Playable>(self, model: M) -> Self::Output {
-        let Self { args, clock, input, mut mistakes, out, note } = self;
+        let Self { args, clock, input, mut mistakes, note } = self;
         let start = Start::check(&model, args, &input, &mut mistakes);
         let (Some(start), true) = (start, mistakes.is_empty()) else {
             return Err(SimulateError::Usage(mistakes));
@@ -82,9 +114,7 @@ impl Visitor for SimulationJob<'_> {
             note(&held);
         }
         let report = drive::run(&start, (&clock, &input), &mut files)?;
-        files.finish()?;
-        summary::write(&report, args, out).map_err(SimulateError::Summary)?;
-        report.into_result(args)
+        Ok((report, files.finish()?))
     }
 }
 

@@ -28,11 +28,21 @@ const ENERGIES: [&str; 6] =
 /// Size of the write buffer (bytes).
 const BUFFER: usize = 1 << 16;
 
+/// A guard, or the name of another cause, and when it was reached.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct TimedEvent {
+    pub name: &'static str,
+    /// Time (s).
+    pub t: f64,
+}
+
 #[derive(Debug)]
 pub(super) struct OutputFiles {
     trajectory: Option<CsvFile>,
     events: Option<CsvFile>,
     plot: Option<Plot>,
+    /// All events, if they are listed.
+    list: Option<Vec<TimedEvent>>,
     /// Guards of all modes, in the order of their columns.
     guards: Vec<&'static str>,
     outputs: Vec<f64>,
@@ -57,7 +67,8 @@ impl OutputFiles {
         let plot = args.output.plot.as_ref().map(|path| Plot::create(path, args, start, &guards));
         let plot = plot.transpose().map_err(|mistake| mistakes.push(mistake)).ok().flatten();
         let outputs = vec![0.0; start.model.entry().outputs.len()];
-        let files = Self { trajectory, events, plot, guards, outputs, failure: None };
+        let list = args.output.is_listed.then(Vec::new);
+        let files = Self { trajectory, events, plot, list, guards, outputs, failure: None };
         if mistakes.is_empty() { Ok(files) } else { Err(mistakes) }
     }
 
@@ -111,6 +122,9 @@ impl OutputFiles {
         if let Some(plot) = &mut self.plot {
             plot.event(model, t, event);
         }
+        if let Some(list) = &mut self.list {
+            list.push(TimedEvent { name: event.cause.name(), t });
+        }
         let Some(sheet) = &mut self.events else { return };
         let ((from, before), (to, after)) = (&event.before, &event.after);
         sheet.text(&seventeen_digits(t));
@@ -134,12 +148,14 @@ impl OutputFiles {
         self.failure.take().map_or(Ok(()), Err)
     }
 
-    pub(super) fn finish(self) -> Result<(), SimulateError> {
+    /// Completes the files; returns the events, if they are listed.
+    pub(super) fn finish(self) -> Result<Vec<TimedEvent>, SimulateError> {
         // Try all: one failure is no reason to lose the others.
         let plotted = self.plot.map_or(Ok(()), Plot::finish);
         let [first, second] =
             [self.trajectory, self.events].map(|sheet| sheet.map(CsvFile::finish));
-        first.unwrap_or(Ok(())).and(second.unwrap_or(Ok(()))).and(plotted)
+        first.unwrap_or(Ok(())).and(second.unwrap_or(Ok(()))).and(plotted)?;
+        Ok(self.list.unwrap_or_default())
     }
 }
 

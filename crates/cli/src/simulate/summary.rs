@@ -186,7 +186,7 @@ impl RunFailure {
 }
 
 /// Error of the audit, as a share of the energy that went through, that triggers a warning.
-const MOST_ENERGY_ERROR: f64 = 0.01;
+pub const MOST_ENERGY_ERROR: f64 = 0.01;
 
 impl SimulationReport {
     pub(super) fn into_result(self, args: &SimulateArgs) -> Result<(), SimulateError> {
@@ -215,7 +215,7 @@ impl SimulationReport {
         }
     }
 
-    fn json(&self) -> Value {
+    pub(super) fn json(&self) -> Value {
         let state: Map<_, _> =
             self.state.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect();
         let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } =

@@ -60,7 +60,11 @@ impl StudyChoice {
     }
 }
 
-fn unknown_names(what: &'static str, names: &[String], known: &[&'static str]) -> Vec<UnknownName> {
+pub(crate) fn unknown_names(
+    what: &'static str,
+    names: &[String],
+    known: &[&'static str],
+) -> Vec<UnknownName> {
     let is_unknown = |name: &&String| !known.contains(&name.as_str());
     let unknown = |name: &String| UnknownName { what, name: name.clone(), known: known.to_vec() };
     names.iter().filter(is_unknown).map(unknown).collect()

@@ -16,6 +16,7 @@ mod time;
 
 use std::time::Duration;
 
+pub(crate) use choice::unknown_names;
 pub use choice::{StudyChoice, UnknownName};
 pub use judge::{EventMismatch, RunVerdict, SequenceVerdict};
 pub use method::{METHODS, MethodKind, NamedMethod, Setting};

@@ -94,7 +94,7 @@ fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>>
     }
 }
 
-fn sentence(unknown: &UnknownName) -> String {
+pub(super) fn sentence(unknown: &UnknownName) -> String {
     let UnknownName { what, name, known } = unknown;
     format!("there is no {what} {}: {}", quoted(name), choice(name, known))
 }

@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod figure6;
 pub mod fit;
+pub mod hard;
 pub mod impedance;
 pub mod performance;
 pub mod piano;
@@ -51,6 +52,8 @@ macro_rules! studies {
 studies! {
     /// Speed against error of every method, on problems whose answers are known.
     Accuracy(accuracy::AccuracyArgs),
+    /// Numerical stability on hard cases, most of them public bug reports of other tools.
+    Hard(hard::HardArgs),
     /// Touch, timing, check, repetition and energy of an instrument, beside measured grands.
     Piano(piano::PianoArgs),
     /// The paper's experiment and its figure 6, at the paper's rates, and how wrong its step was.

@@ -145,7 +145,10 @@ impl Report {
     }
 
     pub fn picture(&mut self, name: &str, picture: &Picture) {
-        let svg = picture.svg();
+        self.drawing(name, picture.svg());
+    }
+
+    pub fn drawing(&mut self, name: &str, svg: String) {
         self.body += &["<figure>\n", &svg, "</figure>\n"].concat();
         self.file(format!("{name}.svg"), svg);
     }

@@ -1,0 +1,99 @@
+//! The report: the picture, the public bug reports with their outcome here, and all runs.
+
+use std::path::Path;
+
+use super::picture::{picture, topics};
+use super::rows::HardRow;
+use super::run::{HardRun, HardVerdict};
+use crate::report::{DiskError, Report, Table, TableCell};
+
+const HOW: &str = "Each case is a description with a known answer: a closed form, or a trajectory of \
+    SciPy. Most are public bug reports of other tools, rebuilt. Every method runs it at four steps. \
+    Right: the events in their order, and every time and value within the tolerance of the case. \
+    Refused: the method rejects the case. Reported: the run ends with a reason, or reports that its \
+    energy does not add up. Inaccurate and wrong are errors without a report. A case fails, marked \
+    by ✗, if rk4, dop853, tsitouras5, by-need or exact is inaccurate or wrong at the shortest step.";
+
+/// Writes the page, hard.svg, hard.csv and reports.csv into `folder`.
+///
+/// # Errors
+/// If a file cannot be written; files written before are complete.
+pub fn write_hard(folder: &Path, rows: &[HardRow]) -> Result<(), DiskError> {
+    let mut report = Report::new("Hard cases");
+    report.introduce(HOW);
+    report.drawing("hard", picture(rows));
+    let failed: Vec<_> = rows.iter().filter(|it| !it.failures().is_empty()).collect();
+    report.heading(&format!("{} of {} cases fail", failed.len(), rows.len()));
+    report.table(&outcomes(&mut failed.into_iter()));
+    report.heading("Public bug reports, and the same here");
+    let reports = outcomes(&mut rows.iter().filter(|it| it.case.is_report()));
+    report.table(&reports);
+    report.csv("reports", &reports);
+    let mut all = runs();
+    for topic in topics(rows) {
+        report.heading(topic);
+        for row in rows.iter().filter(|it| it.case.topic == topic) {
+            let own = runs().with(row.runs.iter().map(|it| cells(row, it)));
+            let title = format!("{}: {}", row.case.name, row.outcome());
+            report.folded(&title, &own);
+            all.rows.extend(own.rows);
+        }
+    }
+    report.csv("hard", &all);
+    report.write(folder)
+}
+
+fn outcomes(rows: &mut dyn Iterator<Item = &HardRow>) -> Table {
+    let columns = [
+        ("case", "case"),
+        ("source", "source"),
+        ("symptom", "symptom elsewhere"),
+        ("here", "here, by the five methods that must be right"),
+    ];
+    let row = |it: &HardRow| {
+        let [case, source, symptom] =
+            [&it.case.name, &it.case.source, &it.case.symptom].map(TableCell::words);
+        let cell = if it.failures().is_empty() { TableCell::Words } else { TableCell::WrongWords };
+        [case, source, symptom, cell(it.outcome())]
+    };
+    Table::new(columns).with(rows.map(row))
+}
+
+fn runs() -> Table {
+    Table::new([
+        ("case", ""),
+        ("topic", ""),
+        ("method", "method"),
+        ("step", "step [s]"),
+        ("verdict", "verdict"),
+        ("event_error", "time of an event [s]"),
+        ("value_error", "value at the end"),
+        ("energy_error", "energy, of what moved"),
+        ("derivatives", "derivatives"),
+        ("remark", "remark"),
+    ])
+}
+
+fn cells(row: &HardRow, it: &HardRun) -> Vec<TableCell> {
+    let [case, topic, method] =
+        [&*row.case.name, &*row.case.topic, it.method].map(TableCell::words);
+    let title = it.verdict.title().to_owned();
+    let is_silent = HardVerdict::Reported < it.verdict;
+    let verdict = if is_silent { TableCell::WrongWords(title) } else { TableCell::Words(title) };
+    let derivatives = it.derivatives.map(|it| it as f64);
+    let [event, value, energy, work] =
+        [it.event_error, it.value_error, it.energy_error, derivatives].map(TableCell::maybe);
+    let remark = TableCell::words(it.remark.clone());
+    vec![
+        case,
+        topic,
+        method,
+        TableCell::Number(it.step),
+        verdict,
+        event,
+        value,
+        energy,
+        work,
+        remark,
+    ]
+}
