@@ -45,7 +45,7 @@ fn a_study_is_in_its_folder_and_its_figures_on_stdout() {
     assert_eq!((said.code, said.err.as_str()), (Some(0), ""), "{said:?}");
     let ball = &said.report()["scenarios"][0];
     assert_eq!((&ball["name"], &ball["failures"]), (&"ball".into(), &0.into()), "{ball}");
-    for file in ["index.html", "accuracy.csv", "ball.svg"] {
+    for file in ["index.html", "accuracy.csv", "times.csv"] {
         assert!(folder.join("deep/report").join(file).is_file(), "no {file}");
     }
 }

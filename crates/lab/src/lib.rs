@@ -11,6 +11,7 @@
 //! figure6/    the paper's experiment at the paper's rates, and the errors of its step
 //! stability/  where a wall or an instrument is stable on a key
 //! impedance/  the mechanical impedance at a key's front
+//! part.rs     a share of a study, for several machines
 //! random.rs   random numbers from a seed
 //! ```
 //!
@@ -25,6 +26,7 @@ pub mod figure6;
 pub mod fit;
 pub mod hard;
 pub mod impedance;
+pub mod part;
 pub mod piano;
 pub mod random;
 pub mod report;

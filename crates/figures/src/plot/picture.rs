@@ -45,6 +45,7 @@ const APART: f64 = 14.0;
 /// Approximate distances of an axis's numbers, across and up (pixels).
 const NUMBERS: [f64; 2] = [66.0, 36.0];
 const LEADER: Stroke = Stroke::new(INK, 0.5);
+const SLOPE: Stroke = Stroke::new(INK, 0.75).faint(0.7);
 const ZERO: Stroke = Stroke::new(INK, 0.75).faint(0.6);
 
 /// Panels row by row, with a title.
@@ -71,6 +72,8 @@ pub struct PicturePanel {
     pub areas: Vec<PictureArea>,
     pub curves: Vec<PictureCurve>,
     pub levels: Vec<(f64, String)>,
+    /// Orders p with a triangle of the slope −p, where both axes are logarithmic.
+    pub slopes: Vec<u32>,
 }
 
 /// An axis of a panel.
@@ -346,11 +349,32 @@ impl DrawnPanel<'_> {
         }
         self.draw_axes(canvas);
         self.panel.curves.iter().for_each(|curve| curve.draw(canvas, self));
+        self.draw_slopes(canvas);
         for (value, text) in &self.panel.levels {
             let y = self.y[0].place(*value);
             let stroke = Stroke { is_dashed: true, ..Stroke::new(INK, 1.0) };
             canvas.line(&[(left, y), (right, y)], stroke);
             canvas.text(text, (left + 6.0, y + 10.0), TEXT, Anchor::Start);
+        }
+    }
+
+    /// Draws the triangles in the lower left corner, with their upright side in common.
+    fn draw_slopes(&self, canvas: &mut Canvas) {
+        let [(left, top), (right, bottom)] = self.corners;
+        let decade = |axis: &Axis| (axis.place(10.0) - axis.place(1.0)).abs();
+        // Width over height of the triangle of order 1.
+        let first = decade(&self.x) / decade(&self.y[0]);
+        let lowest = self.panel.slopes.iter().min().map_or(1.0, |order| f64::from(*order));
+        let height = (0.4 * (bottom - top)).min(0.4 * (right - left) * lowest / first);
+        let corner = (left + 8.0, bottom - 16.0);
+        let mut free = f64::INFINITY;
+        for order in &self.panel.slopes {
+            let foot = (corner.0 + height * first / f64::from(*order), corner.1);
+            canvas.line(&[corner, (corner.0, corner.1 - height), foot, corner], SLOPE);
+            if foot.0 < free {
+                canvas.text(&order.to_string(), (foot.0, corner.1 + 8.0), SMALL, Anchor::Middle);
+                free = foot.0 - APART;
+            }
         }
     }
 
@@ -463,6 +487,7 @@ mod tests {
                 areas: vec![PictureArea { x: (0.5, 1.5), y: None, color, name, text }],
                 curves: vec![curve],
                 levels: vec![(2.0, "level".to_owned())],
+                slopes: Vec::new(),
             };
             let mut picture = Picture::of_panel("T", panel);
             picture.labels = vec![(1.0, "rule".to_owned()), (1.0, "other".to_owned())];

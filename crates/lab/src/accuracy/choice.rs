@@ -1,14 +1,35 @@
+use serde::{Deserialize, Serialize};
+
 use super::method::{METHODS, NamedMethod, Setting};
 use super::{Effort, study};
+use crate::part::Part;
 use crate::scenario::{Plan, SCENARIOS, ScenarioEntry};
 
-/// Scenarios and methods of a study, and how thoroughly they are run.
+/// Name of the long runs among the scenarios.
+pub const LONG_RUN: &str = "long-run";
+
+/// A study as it was asked for; an empty list is all.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct StudyNames {
+    pub scenarios: Vec<String>,
+    pub methods: Vec<String>,
+    pub is_quick: bool,
+}
+
+/// Scenarios and methods of a study, how thoroughly they are run, and the share of the runs.
 #[derive(Clone, Debug)]
 pub struct StudyChoice {
+    pub names: StudyNames,
     pub scenarios: Vec<&'static ScenarioEntry>,
     pub methods: Vec<&'static NamedMethod>,
+    /// `true` with the long runs that show the error of the energy.
+    pub has_long_runs: bool,
     pub effort: Effort,
+    pub part: Part,
 }
+
+/// Most ticks of a run in a quick study.
+const QUICK_TICKS: f64 = 20_000.0;
 
 /// A name that no scenario or method has.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -26,7 +47,8 @@ impl StudyChoice {
         methods: &[String],
         effort: Effort,
     ) -> Result<Self, Vec<UnknownName>> {
-        let scenario_names: Vec<_> = SCENARIOS.iter().map(|entry| entry.name).collect();
+        let scenario_names: Vec<_> =
+            SCENARIOS.iter().map(|entry| entry.name).chain([LONG_RUN]).collect();
         let method_names: Vec<_> = METHODS.iter().map(|method| method.name).collect();
         let mut unknown = unknown_names("scenario", scenarios, &scenario_names);
         unknown.extend(unknown_names("method", methods, &method_names));
@@ -36,27 +58,43 @@ impl StudyChoice {
         let is_asked_for =
             |asked: &[String], name| asked.is_empty() || asked.iter().any(|it| it == name);
         Ok(Self {
+            names: StudyNames {
+                scenarios: scenarios.to_vec(),
+                methods: methods.to_vec(),
+                is_quick: effort.is_quick,
+            },
             scenarios: SCENARIOS.iter().filter(|it| is_asked_for(scenarios, it.name)).collect(),
             methods: METHODS.iter().filter(|it| is_asked_for(methods, it.name)).collect(),
+            has_long_runs: is_asked_for(scenarios, LONG_RUN),
             effort,
+            part: Part::WHOLE,
         })
     }
 
     pub(super) fn runs(&self, plan: &Plan) -> Vec<(&'static NamedMethod, Setting)> {
-        let stride = if self.effort.is_quick { 2 } else { 1 };
+        let (stride, most) =
+            if self.effort.is_quick { (2, QUICK_TICKS) } else { (1, f64::INFINITY) };
         let settings = |method: &&'static NamedMethod| {
             let method = *method;
-            method.settings(plan).into_iter().step_by(stride).map(move |it| (method, it))
+            let settings = method.settings(plan).into_iter().step_by(stride);
+            let is_short = |it: &Setting| plan.until / it.tick <= most;
+            settings.filter(is_short).map(move |it| (method, it)).collect::<Vec<_>>()
         };
         self.methods.iter().flat_map(settings).collect()
     }
 
-    /// Returns the number of runs; a scenario that cannot be read counts 0.
+    /// Returns the number of runs in the share; a scenario that cannot be read counts 0.
     pub fn count(&self) -> usize {
+        let taken = |runs: usize| (0..runs).filter(|number| self.part.takes(*number)).count();
         let runs = |entry: &&ScenarioEntry| {
-            study::build(entry).map_or(0, |study| self.runs(&study.plan()).len())
+            study::build(entry).map_or(0, |study| taken(self.runs(&study.plan()).len()))
         };
-        self.scenarios.iter().map(runs).sum()
+        self.scenarios.iter().map(runs).sum::<usize>() + taken(self.long_runs())
+    }
+
+    /// Returns the number of long runs in all shares.
+    pub const fn long_runs(&self) -> usize {
+        if self.has_long_runs { self.methods.len() } else { 0 }
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::sync::LazyLock;
 
-use pode::stepper::{Any, ByNeed, Dop853, Rk4, Taylor};
+use pode::stepper::{Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Rk4, Rodas3, Taylor};
 use pode::{Limits, Stepper as _};
 
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+
 use super::stepped::Stepping;
-use crate::scenario::Plan;
+use crate::scenario::{MS, Plan};
 use cli::simulate::StudiedMethod;
 
 /// A compared method with its name.
@@ -16,6 +18,7 @@ pub struct NamedMethod {
     /// Order of convergence as its authors state it.
     pub order: u32,
     pub kind: MethodKind,
+    pub group: MethodGroup,
     stepper: StudiedMethod,
 }
 
@@ -31,8 +34,30 @@ pub enum MethodKind {
     Budgeted,
 }
 
+/// Family of a method, by its purpose.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum MethodGroup {
+    Explicit,
+    LongStep,
+    Implicit,
+    /// By what a mode's equations need.
+    Chosen,
+    Played,
+}
+
+impl MethodGroup {
+    fn of(method: &str) -> Self {
+        match method {
+            Dop853::NAME | Taylor::NAME => Self::LongStep,
+            LinearImplicitMidpoint::NAME | Rodas3::NAME => Self::Implicit,
+            ByNeed::NAME | Exact::NAME => Self::Chosen,
+            _ => Self::Explicit,
+        }
+    }
+}
+
 /// One point of a method's series of runs.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Setting {
     /// Length of a tick (s).
     pub tick: f64,
@@ -49,16 +74,16 @@ const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 /// Longest tick of methods with a budget, that of a keyboard (s).
 const LONGEST_BUDGETED: f64 = 1e-3;
 
-/// Every compared method, and RK4 as instruments use it.
+/// Every compared method by group, and RK4 as instruments use it.
 pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
     let all = StudiedMethod::names().filter_map(StudiedMethod::named).map(NamedMethod::of);
-    let (mut methods, others): (Vec<_>, Vec<_>) =
-        all.partition(|method| method.kind == MethodKind::Fixed);
-    methods.extend(others);
+    let mut methods: Vec<_> = all.collect();
+    methods.sort_by_key(|method| method.group);
     methods.push(NamedMethod {
         name: "as-played",
         order: Rk4::ORDER,
         kind: MethodKind::Played,
+        group: MethodGroup::Played,
         stepper: StudiedMethod::OneOfMany(Any::Rk4(Rk4)),
     });
     methods
@@ -72,7 +97,17 @@ impl NamedMethod {
             Taylor::NAME => (Taylor::NAME, MethodKind::Controlled),
             name => (name, MethodKind::Fixed),
         };
-        Self { name, order: stepper.order(), kind, stepper }
+        let group = MethodGroup::of(stepper.name());
+        Self { name, order: stepper.order(), kind, group, stepper }
+    }
+
+    /// Returns the setting of a long run, with a tick of 1 ms, or of 50 ms offline.
+    pub(super) const fn long_run(&self) -> Setting {
+        match self.kind {
+            MethodKind::Fixed | MethodKind::Played => Setting { tick: MS, tolerance: None },
+            MethodKind::Budgeted => Setting { tick: MS, tolerance: Some(1e-8) },
+            MethodKind::Controlled => Setting { tick: 50.0 * MS, tolerance: Some(1e-10) },
+        }
     }
 
     pub(super) fn settings(&self, plan: &Plan) -> Vec<Setting> {
@@ -114,4 +149,20 @@ impl NamedMethod {
             }
         }
     }
+}
+
+impl Serialize for NamedMethod {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
+    }
+}
+
+/// Reads a method by its name.
+pub(super) fn by_name<'de, D>(deserializer: D) -> Result<&'static NamedMethod, D::Error>
+where
+    D: Deserializer<'de>,
+{
+    let name = String::deserialize(deserializer)?;
+    let method = METHODS.iter().find(|method| method.name == name);
+    method.ok_or_else(|| D::Error::custom(format_args!("unknown method {name}")))
 }

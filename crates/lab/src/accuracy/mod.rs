@@ -5,10 +5,12 @@
 //! states are never mixed. A run with a wrong sequence of events has failed and has no error.
 
 mod choice;
+mod drift;
 mod job;
 mod judge;
 mod method;
 mod observe;
+mod order;
 mod row;
 mod stepped;
 mod study;
@@ -16,13 +18,19 @@ mod time;
 
 use std::time::Duration;
 
+use pode::{Stepper as _, stepper::Taylor};
+
 pub(crate) use choice::unknown_names;
-pub use choice::{StudyChoice, UnknownName};
+pub use choice::{LONG_RUN, StudyChoice, StudyNames, UnknownName};
+pub use drift::EnergyDrift;
 pub use judge::{EventMismatch, RunVerdict, SequenceVerdict};
-pub use method::{METHODS, MethodKind, NamedMethod, Setting};
+pub use method::{METHODS, MethodGroup, MethodKind, NamedMethod, Setting};
+pub use order::{ObservedOrder, observed_orders};
 pub use row::{EvaluationCounts, StudyRow, Times};
 
-use crate::scenario::{BadFile, ScenarioEntry};
+use self::drift::DriftRun;
+use self::study::Study;
+use crate::scenario::{BadFile, Plan, SCENARIOS, ScenarioEntry};
 
 /// Time that a study spends on timing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,32 +44,82 @@ pub struct Effort {
 impl Effort {
     /// For a report: short runs are repeated a thousand times, long ones less often.
     pub const FULL: Self = Self { repeats: 3, budget: Duration::from_millis(200), is_quick: false };
-    /// For a quick impression, not for a claim.
-    pub const QUICK: Self = Self { repeats: 2, budget: Duration::from_millis(5), is_quick: true };
+    /// For a quick impression, not for a claim: each run is timed once.
+    pub const QUICK: Self = Self { repeats: 0, budget: Duration::ZERO, is_quick: true };
 }
 
-/// A scenario with all its runs.
+/// A scenario with its runs.
 #[derive(Clone, Debug)]
 pub struct MeasuredScenario {
     pub entry: ScenarioEntry,
-    /// End of the scenario (s).
-    pub until: f64,
+    pub plan: Plan,
+    /// Number of its runs in all shares.
+    pub runs: usize,
     pub rows: Vec<StudyRow>,
 }
 
-/// Measures a scenario with the methods chosen; calls `after` with each finished run.
+/// Measures the runs of a scenario that are in the share chosen; calls `after` with each.
+///
+/// # Errors
+/// If the reference of the scenario cannot be read.
 pub fn measure(
     entry: &ScenarioEntry,
     choice: &StudyChoice,
-    after: &mut dyn FnMut(&StudyRow),
+    after: &(dyn Fn(&StudyRow) + Sync),
 ) -> Result<MeasuredScenario, BadFile> {
     let study = study::build(entry)?;
     let plan = study.plan();
-    let mut rows = Vec::new();
-    for (method, setting) in choice.runs(&plan) {
-        let row = study.run(entry.name, method, setting, choice.effort);
+    let runs = choice.runs(&plan);
+    let taken: Vec<_> = (0..runs.len()).filter(|number| choice.part.takes(*number)).collect();
+    let is_limited = plan.is_computed && !taken.is_empty();
+    let least = if is_limited { least_errors(&*study, &plan) } else { [0.0; 2] };
+    let run = |number: usize| {
+        let (method, setting) = runs[number];
+        let row = study.run(method, setting, choice.effort);
+        let verdict = row.verdict.at_least(least);
+        let row = StudyRow { number, scenario: entry.name.to_owned(), verdict, ..row };
         after(&row);
-        rows.push(row);
-    }
-    Ok(MeasuredScenario { entry: *entry, until: plan.until, rows })
+        row
+    };
+    let rows = taken.into_iter().map(run).collect();
+    Ok(MeasuredScenario { entry: *entry, plan, runs: runs.len(), rows })
+}
+
+/// Returns the least errors of event times (s), and of states and force, that a computed reference
+/// can show: 100 times those of a Taylor series.
+fn least_errors(study: &dyn Study, plan: &Plan) -> [f64; 2] {
+    const MARGIN: f64 = 100.0;
+    let setting = Setting { tick: plan.offline_tick, tolerance: Some(1e-13) };
+    let taylor = METHODS.iter().find(|method| method.name == Taylor::NAME);
+    let verdict = taylor.map(|method| study.run(method, setting, Effort::QUICK).verdict);
+    let verdict = verdict.filter(|it| it.sequence.is_right());
+    verdict.map_or([f64::MAX; 2], |it| {
+        let states = it.state_error.unwrap_or(0.0).max(it.force_error.unwrap_or(0.0));
+        [MARGIN * it.event_error.unwrap_or(0.0), MARGIN * states]
+    })
+}
+
+/// Runs the methods in the share chosen for long on a lossless motion; calls `after` with each.
+///
+/// # Errors
+/// If the scenario of long runs cannot be read.
+pub fn measure_drifts(
+    choice: &StudyChoice,
+    after: &dyn Fn(&EnergyDrift),
+) -> Result<Vec<EnergyDrift>, BadFile> {
+    /// A head that bounces five times a second.
+    const BOUNCES: &str = "head-1e3";
+    /// End (s): after 1e5 bounces, or 1e3 in a quick study.
+    const UNTIL: [f64; 2] = [21_400.0, 214.0];
+    let until = UNTIL[usize::from(choice.effort.is_quick)];
+    let entry = SCENARIOS.iter().find(|entry| entry.name == BOUNCES);
+    let entry = entry.ok_or_else(|| BadFile::missing(BOUNCES, "the scenario"))?;
+    let run = |number: usize| {
+        let method = choice.methods[number];
+        let points = entry.visit(DriftRun { method, until })?;
+        let drift = EnergyDrift { number, method, points };
+        after(&drift);
+        Ok(drift)
+    };
+    (0..choice.long_runs()).filter(|number| choice.part.takes(*number)).map(run).collect()
 }

@@ -1,3 +1,5 @@
+use std::time::{Duration, Instant};
+
 use pode::{
     Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Stepper, Watch, Work,
 };
@@ -24,6 +26,8 @@ pub(super) struct ObservedRun<M: Model> {
     /// One per sample of the reference; `None` where no tick ended there.
     pub(super) samples: Vec<Option<FoundSamples<M::State>>>,
     pub(super) work: Vec<Work>,
+    /// Time of each tick, in a run without a watch.
+    pub(super) ticks: Vec<Duration>,
     /// Energy that the method generated (J).
     pub(super) residual: f64,
     /// Time (s) and cause of a fault or an exceeded limit.
@@ -45,27 +49,31 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Observ
             break;
         }
     }
+    let (work, ticks) = work(job);
     ObservedRun {
         events: log.events,
         entered: log.entered,
         samples: samples.found,
-        work: work(job),
+        work,
+        ticks,
         residual: log.audit.integration,
         trouble,
     }
 }
 
-fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
+fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> (Vec<Work>, Vec<Duration>) {
     let mut simulator = job.simulator();
-    let mut work = Vec::new();
+    let (mut work, mut ticks) = (Vec::new(), Vec::new());
     for _ in 0..job.ticks() {
+        let began = Instant::now();
         let done = job.advance_alone(&mut simulator);
+        ticks.push(began.elapsed());
         work.push(done.work);
         if matches!(done.advance, Advance::Faulty(_)) {
             break;
         }
     }
-    work
+    (work, ticks)
 }
 
 fn failure(advance: Advance, limits: &Limits) -> Option<String> {

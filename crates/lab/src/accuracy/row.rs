@@ -1,25 +1,28 @@
 use pode::{State as _, Work};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::judge::RunVerdict;
-use super::method::{NamedMethod, Setting};
+use super::method::{self, NamedMethod, Setting};
 use crate::scenario::{Scenario, StateOf};
 
 /// A judged, counted and timed run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct StudyRow {
-    pub scenario: &'static str,
+    /// Number of the run in its study.
+    pub number: usize,
+    pub scenario: String,
+    #[serde(deserialize_with = "method::by_name")]
     pub method: &'static NamedMethod,
     pub setting: Setting,
     pub verdict: RunVerdict,
     pub counts: EvaluationCounts,
     pub times: Times,
-    /// Energy that the method generated (J).
-    pub energy_residual: f64,
+    /// Energy that the method generated (J); `None` where it is not finite.
+    pub energy_residual: Option<f64>,
 }
 
 /// Evaluations of a run, as `pode` counts them.
-#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct EvaluationCounts {
     pub derivatives_per_ms: f64,
     pub jacobians_per_ms: f64,
@@ -64,7 +67,7 @@ impl EvaluationCounts {
 }
 
 /// Times of a run on one machine (ns).
-#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct Times {
     /// Time per simulated ms (ns).
     pub per_ms: f64,

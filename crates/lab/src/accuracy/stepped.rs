@@ -5,7 +5,7 @@
 
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
-use pode::{Energetic, Reset, Resets, Settling, State};
+use pode::{Energetic, Part, Reset, Resets, Settling, State};
 
 /// Rule that cuts a tick into steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -25,6 +25,27 @@ impl<M: Model> Model for Stepped<M> {
     type State = M::State;
     type Input = M::Input;
     const COORDS: usize = M::COORDS;
+
+    #[inline]
+    fn coordinates(&self) -> usize {
+        self.model.coordinates()
+    }
+
+    #[inline]
+    fn parts(&self, mode: M::Mode) -> &[Part] {
+        self.model.parts(mode)
+    }
+
+    #[inline]
+    fn derivative_of(
+        &self,
+        mode: M::Mode,
+        index: usize,
+        x: &M::State,
+        input: &M::Input,
+    ) -> M::State {
+        self.model.derivative_of(mode, index, x, input)
+    }
 
     #[inline]
     fn derivative(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> M::State {
@@ -60,6 +81,14 @@ impl<M: Guarded> Guarded for Stepped<M> {
     #[inline]
     fn constrain(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> M::State {
         self.model.constrain(mode, x, input)
+    }
+
+    #[inline]
+    fn longest_step_at(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> f64 {
+        match self.stepping {
+            Stepping::Ticks => f64::INFINITY,
+            Stepping::Models => self.model.longest_step_at(mode, x, input),
+        }
     }
 
     fn series(

@@ -10,13 +10,8 @@ use pode::Stepper;
 pub(super) trait Study {
     fn plan(&self) -> Plan;
 
-    fn run(
-        &self,
-        scenario: &'static str,
-        method: &'static NamedMethod,
-        setting: Setting,
-        effort: Effort,
-    ) -> StudyRow;
+    /// Returns a run without number and name.
+    fn run(&self, method: &'static NamedMethod, setting: Setting, effort: Effort) -> StudyRow;
 }
 
 pub(super) fn build(entry: &ScenarioEntry) -> Result<Box<dyn Study>, BadFile> {
@@ -39,21 +34,14 @@ impl<S: Scenario> Study for S {
     }
 
     /// Runs as the host does, with one type for all methods, so that less code is compiled.
-    fn run(
-        &self,
-        scenario: &'static str,
-        method: &'static NamedMethod,
-        setting: Setting,
-        effort: Effort,
-    ) -> StudyRow {
-        let run = StudyRun { scenario: self, name: scenario, method, setting, effort };
+    fn run(&self, method: &'static NamedMethod, setting: Setting, effort: Effort) -> StudyRow {
+        let run = StudyRun { scenario: self, method, setting, effort };
         method.stepper(&setting).visit(run)
     }
 }
 
 struct StudyRun<'a, S> {
     scenario: &'a S,
-    name: &'static str,
     method: &'static NamedMethod,
     setting: Setting,
     effort: Effort,
@@ -63,7 +51,7 @@ impl<S: Scenario> MethodVisitor for StudyRun<'_, S> {
     type Output = StudyRow;
 
     fn visit<T: Stepper>(self, stepper: T) -> StudyRow {
-        let Self { scenario, name, method, setting, effort } = self;
+        let Self { scenario, method, setting, effort } = self;
         let job = RunJob {
             scenario,
             stepper,
@@ -72,15 +60,16 @@ impl<S: Scenario> MethodVisitor for StudyRun<'_, S> {
             tick: setting.tick,
         };
         let observed = observe(&job);
-        let times = time(&job, &observed.work, effort);
+        let times = time(&job, &observed, effort);
         StudyRow {
-            scenario: name,
+            number: 0,
+            scenario: String::new(),
             method,
             setting,
             verdict: judge(scenario.reference(), &observed),
             counts: EvaluationCounts::new::<S>(&observed.work, setting.tick),
             times,
-            energy_residual: observed.residual,
+            energy_residual: Some(observed.residual).filter(|it| it.is_finite()),
         }
     }
 }

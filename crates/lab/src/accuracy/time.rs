@@ -2,23 +2,24 @@
 //!
 //! A run is deterministic, so the least time excludes other programs and the hypervisor. The mean
 //! is the least of all repeats, and each tick's time is the least over the repeats of that tick.
+//! Without repeats, the mean is that of the ticks of the run whose work was counted.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use pode::{Stepper, Work};
 
-use super::{Effort, job::RunJob, row::Times};
+use super::{Effort, job::RunJob, observe::ObservedRun, row::Times};
 use crate::scenario::Scenario;
 
 pub(super) fn time<S: Scenario, T: Stepper>(
     job: &RunJob<'_, S, T>,
-    work: &[Work],
+    observed: &ObservedRun<S::Model>,
     effort: Effort,
 ) -> Times {
     let began = Instant::now();
     let mut whole = Duration::MAX;
-    let mut ticks = vec![Duration::MAX; work.len()];
+    let (work, mut ticks) = (&observed.work, observed.ticks.clone());
     let mut repeats = 0;
     while repeats < effort.repeats || began.elapsed() < effort.budget {
         whole = whole.min(run(job, work.len()));
@@ -27,7 +28,8 @@ pub(super) fn time<S: Scenario, T: Stepper>(
     }
     let reading = clock_reading();
     let ticks: Vec<f64> = ticks.iter().map(|tick| ns(tick.saturating_sub(reading))).collect();
-    figures(ns(whole), &ticks, work, job.tick)
+    let whole = if repeats > 0 { ns(whole) } else { ticks.iter().sum() };
+    figures(whole, &ticks, work, job.tick)
 }
 
 fn run<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, ticks: usize) -> Duration {

@@ -31,7 +31,7 @@ pub(super) fn picture(title: &str, run: &ModelRun, string: f64) -> Picture {
         ],
         areas: areas(run),
         curves,
-        levels: Vec::new(),
+        ..PicturePanel::default()
     };
     let angles = vec![
         curve(run, "manipulandum s", 5, |row| Some(row.s)),
@@ -45,6 +45,7 @@ pub(super) fn picture(title: &str, run: &ModelRun, string: f64) -> Picture {
         areas: areas(run),
         curves: angles,
         levels: vec![(string, "the string's angle".to_owned())],
+        ..PicturePanel::default()
     };
     Picture {
         title: title.to_owned(),

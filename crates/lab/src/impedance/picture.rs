@@ -23,7 +23,7 @@ pub(crate) fn picture(title: String, curves: &[ImpedanceCurve]) -> Picture {
             y: vec![y],
             areas: curves.iter().enumerate().flat_map(|(number, it)| shades(number, it)).collect(),
             curves: curves.iter().enumerate().map(curve).collect(),
-            levels: Vec::new(),
+            ..PicturePanel::default()
         }
     };
     let phase = PictureAxis::linear("phase [°]").between((-190.0, 190.0));

@@ -7,10 +7,12 @@ mod date;
 mod disk;
 mod glance;
 mod machine;
+mod orders;
 mod page;
 mod peers;
 mod picture;
 mod runs;
+mod stored;
 mod summary;
 pub(crate) mod text;
 
@@ -20,9 +22,10 @@ pub use disk::DiskError;
 pub use machine::Machine;
 pub use page::{Report, Table, TableCell};
 pub use peers::{BadPeers, Peer, read as read_peers};
+pub use stored::StoredRuns;
 pub use summary::Summary;
 
-use crate::accuracy::MeasuredScenario;
+use crate::accuracy::{EnergyDrift, MeasuredScenario, StudyChoice};
 
 pub const PAGE: &str = "index.html";
 
@@ -34,6 +37,7 @@ pub struct StudyReport {
     pub machine: Machine,
     pub date: SystemTime,
     pub measured: Vec<MeasuredScenario>,
+    pub drifts: Vec<EnergyDrift>,
     pub peers: Vec<Peer>,
 }
 
@@ -48,12 +52,18 @@ pub fn write_file(path: &Path, text: &str) -> Result<(), DiskError> {
 }
 
 impl StudyReport {
-    /// Writes the table, a picture for each scenario, and the page into `folder`. Called after each
+    /// Returns the report, of now, of a study without results.
+    pub fn new(machine: Machine) -> Self {
+        let (measured, drifts) = (Vec::new(), Vec::new());
+        Self { machine, date: SystemTime::now(), measured, drifts, peers: Vec::new() }
+    }
+
+    /// Writes the tables, pictures of each scenario, and the page into `folder`. Called after each
     /// scenario, so that an interrupted study keeps its results.
     ///
     /// # Errors
     /// If a file cannot be written; files written before are complete.
-    pub fn write(&self, folder: &Path) -> Result<(), DiskError> {
+    pub fn write(&self, choice: &StudyChoice, folder: &Path) -> Result<(), DiskError> {
         let Machine { processor, processors, system, program } = &self.machine;
         let date = date::utc(self.date);
         let mut report = Report::new("Speed against error");
@@ -68,15 +78,41 @@ impl StudyReport {
             self.add(measured, &ours, &mut report);
             tables.push(ours);
         }
-        report.csv("accuracy", &runs::all(tables));
+        self.add_drifts(&mut report);
+        const KEYS: [&str; 4] = ["scenario", "method", "tick_s", "tolerance_or_budget"];
+        let (all, is_time) = (runs::all(tables), |name: &str| name.starts_with("ns_"));
+        report.csv("accuracy", &all.columns(|name| !is_time(name)));
+        report.csv("times", &all.columns(|name| is_time(name) || KEYS.contains(&name)));
+        report.csv("orders", &orders::table(&self.measured));
+        report.file(stored::RUNS, StoredRuns::text(self, choice));
         report.write(folder)
+    }
+
+    fn add_drifts(&self, report: &mut Report) {
+        if self.drifts.is_empty() {
+            return;
+        }
+        report.heading("Energy over long runs");
+        report.text(picture::LONG_RUN_TEXT);
+        report.picture("long-run", &picture::drifts(&self.drifts));
     }
 
     fn add(&self, measured: &MeasuredScenario, ours: &Table, report: &mut Report) {
         let entry = measured.entry;
         report.heading(&format!("{}: {}", entry.name, entry.title));
         report.text(entry.source);
-        report.picture(entry.name, &picture::methods(measured));
+        if let Some(error) = summary::error_where_exact(measured) {
+            report.text(&format!(
+                "Every method of order 2 or higher is exact here but for rounding, {} s at most; \
+                 there is no picture.",
+                text::exponent(error)
+            ));
+        } else {
+            report.picture(entry.name, &picture::methods(measured));
+            report.picture(&format!("{}-counts", entry.name), &picture::counts(measured));
+            report.text(orders::TEXT);
+            report.table(&orders::table(std::slice::from_ref(measured)));
+        }
         let peers = self.peers_on(entry.name);
         if !peers.is_empty() {
             report.picture(&format!("{}-peers", entry.name), &picture::peers(measured, &peers));

@@ -75,6 +75,15 @@ impl Table {
         self
     }
 
+    /// Returns the columns whose CSV name is one to `keep`.
+    #[must_use]
+    pub fn columns(&self, keep: impl Fn(&str) -> bool) -> Self {
+        let kept: Vec<_> =
+            (0..self.columns.len()).filter(|it| keep(&self.columns[*it].0)).collect();
+        let row = |row: &Vec<TableCell>| kept.iter().map(|it| row[*it].clone()).collect::<Vec<_>>();
+        Table::new(kept.iter().map(|it| self.columns[*it].clone())).with(self.rows.iter().map(row))
+    }
+
     fn csv(&self) -> String {
         let names = self.columns.iter().map(|(name, _)| name.clone()).collect();
         let rows = self.rows.iter().map(|row| row.iter().map(|it| it.text(|it| format!("{it:?}"))));

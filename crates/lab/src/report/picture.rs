@@ -1,26 +1,88 @@
 //! Draws a scenario's errors against costs, on logarithmic axes.
 //!
 //! ```text
-//!   event error / ns per ms      event error / evaluations     legend
-//!   state error / ns per ms      force error / ns per ms
-//!   event error / ns of a tick without, with one, with the most events, of the worst tick
+//!   event error / ns per ms      state error / ns per ms       legend
+//!   force error / ns per ms      event error / ns of the worst tick
+//!   event error / ns of a tick without, with one, with the most events
 //! ```
 //!
-//! A second picture compares the errors of codes that were run side by side.
+//! A second picture has the errors against counted evaluations, and a third compares codes that
+//! were run side by side.
 
 use super::peers::{Author, Peer};
-use crate::accuracy::{MeasuredScenario, MethodKind, StudyRow};
+use crate::accuracy::{
+    EnergyDrift, METHODS, MeasuredScenario, MethodGroup, MethodKind, NamedMethod, StudyRow,
+};
 use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::marker::MarkerShape;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
 pub(super) fn methods(measured: &MeasuredScenario) -> Picture {
-    picture(title(measured), &OURS, &curves(measured))
+    ours(measured, &TIMED)
+}
+
+/// Draws the errors against counts, which are the same on every machine.
+pub(super) fn counts(measured: &MeasuredScenario) -> Picture {
+    ours(measured, &COUNTED)
+}
+
+fn ours(measured: &MeasuredScenario, panels: &[Quantities]) -> Picture {
+    let curves = curves(measured);
+    let mut picture = picture(title(measured), panels, &curves);
+    picture.notes.splice(0..0, [GROUPS, LINES].map(str::to_owned));
+    let least = measured.rows.first().map_or([0.0; 2], |row| row.verdict.least_errors);
+    for (panel, quantities) in picture.panels.iter_mut().zip(panels) {
+        let least = least[usize::from(quantities.y_title != EVENTS.0)];
+        let reaches = curves.iter().flat_map(|it| &it.points).filter_map(quantities.y);
+        if least > 0.0 && reaches.fold(f64::INFINITY, f64::min) <= least {
+            panel.levels.push((least, String::new()));
+        }
+        if quantities.x_title.ends_with(RATE) {
+            panel.slopes = slopes(measured);
+        }
+    }
+    picture
+}
+
+const GROUPS: &str = "Blue: explicit. Orange: long steps by a tolerance. Green: implicit. \
+    Purple: exact and by need. Black: as played.";
+const LINES: &str =
+    "Triangles: slopes of the orders. Dashed: least error that the reference shows.";
+
+/// Returns the orders of the methods whose step is the tick.
+fn slopes(measured: &MeasuredScenario) -> Vec<u32> {
+    let rows = measured.rows.iter().filter(|row| row.method.kind == MethodKind::Fixed);
+    let mut orders: Vec<u32> = rows.map(|row| row.method.order).filter(|it| *it < 9).collect();
+    orders.sort_unstable();
+    orders.dedup();
+    orders
+}
+
+pub(super) const LONG_RUN_TEXT: &str = "A hammer head that bounces on a lossless spring, five \
+    times a second, with a contact of 10 ms: the largest error of its energy so far, of the energy \
+    at the start. Steps are ticks of 1 ms; methods with a tolerance have 1e-10, by-need a budget of \
+    1e-8.";
+
+/// Draws the error of the energy against time.
+pub(super) fn drifts(drifts: &[EnergyDrift]) -> Picture {
+    let curve = |drift: &EnergyDrift| {
+        let CurveStyle { shape, stroke } = style(drift.method);
+        let look = CurveLook::Marked(shape);
+        PictureCurve::new(drift.method.name, stroke, look, drift.points.clone())
+    };
+    let panel = PicturePanel {
+        x: PictureAxis::logarithmic("time [s]"),
+        y: vec![PictureAxis::logarithmic("error of the energy, of its size")],
+        curves: drifts.iter().map(curve).collect(),
+        ..PicturePanel::default()
+    };
+    let picture = Picture::of_panel("Energy over long runs", panel);
+    Picture { notes: vec![GROUPS.to_owned()], size: (620.0, 420.0), ..picture }
 }
 
 pub(super) fn peers(measured: &MeasuredScenario, peers: &[&Peer]) -> Picture {
     let title = format!("{}, side by side with other codes", title(measured));
-    picture(title, &THEIRS, &peer_curves(peers, measured.until))
+    picture(title, &THEIRS, &peer_curves(peers, measured.plan.until))
 }
 
 fn title(measured: &MeasuredScenario) -> String {
@@ -58,14 +120,13 @@ struct CurveStyle {
 }
 
 const BLACK: Color = Color(0, 0, 0);
-const GREY: Color = Color(125, 125, 125);
 
 fn curves(measured: &MeasuredScenario) -> Vec<CostErrorCurve> {
     let mut curves: Vec<CostErrorCurve> = Vec::new();
     for row in &measured.rows {
         let name = row.method.name;
         if curves.last().is_none_or(|curve| curve.name != name) {
-            let style = ours(curves.len(), row.method.kind);
+            let style = style(row.method);
             curves.push(CostErrorCurve { name: name.to_owned(), style, points: Vec::new() });
         }
         if let Some(curve) = curves.last_mut() {
@@ -90,15 +151,21 @@ fn peer_curves(peers: &[&Peer], until: f64) -> Vec<CostErrorCurve> {
     curves
 }
 
-fn ours(index: usize, kind: MethodKind) -> CurveStyle {
-    let broad = |color| CurveStyle { shape: MarkerShape::Circle, stroke: Stroke::new(color, 2.6) };
-    match kind {
-        MethodKind::Fixed | MethodKind::Controlled => CurveStyle {
-            shape: MarkerShape::ALL[index % MarkerShape::ALL.len()],
-            stroke: Stroke::new(CURVES[index % CURVES.len()], 1.6),
-        },
-        MethodKind::Played => broad(BLACK),
-        MethodKind::Budgeted => broad(GREY),
+/// Returns a shade of the group's colour and a mark, which no other method of the group has.
+fn style(method: &NamedMethod) -> CurveStyle {
+    let same = METHODS.iter().filter(|it| it.group == method.group);
+    let index = same.take_while(|it| it.name != method.name).count();
+    let shades: &[Color] = match method.group {
+        MethodGroup::Explicit => &[Color(0, 114, 178), Color(86, 180, 233), Color(0, 52, 110)],
+        MethodGroup::LongStep => &[Color(213, 94, 0), Color(240, 165, 30)],
+        MethodGroup::Implicit => &[Color(0, 158, 115), Color(120, 190, 60)],
+        MethodGroup::Chosen => &[Color(204, 121, 167), Color(120, 60, 150)],
+        MethodGroup::Played => &[BLACK],
+    };
+    let width = if method.group == MethodGroup::Played { 2.6 } else { 1.6 };
+    CurveStyle {
+        shape: MarkerShape::ALL[index % MarkerShape::ALL.len()],
+        stroke: Stroke::new(shades[index % shades.len()], width),
     }
 }
 
@@ -195,6 +262,8 @@ struct Quantities {
     y: PointFigure,
 }
 
+/// End of the titles of costs in inverse proportion to the step.
+const RATE: &str = "per simulated ms";
 const PER_MS: (&str, PointFigure) = ("ns per simulated ms", |point| point.per_ms);
 const EVALUATIONS: (&str, PointFigure) =
     ("evaluations of the derivative per simulated ms", |point| point.evaluations);
@@ -207,16 +276,17 @@ const fn panel(y: (&'static str, PointFigure), x: (&'static str, PointFigure)) -
     Quantities { x_title: x.0, y_title: y.0, x: x.1, y: y.1 }
 }
 
-const OURS: [Quantities; 8] = [
+const TIMED: [Quantities; 7] = [
     panel(EVENTS, PER_MS),
-    panel(EVENTS, EVALUATIONS),
     panel(STATES, PER_MS),
     panel(("error of the force, of its size", |point| point.force_error), PER_MS),
+    panel(EVENTS, ("ns of the worst tick", |point| point.worst_tick)),
     panel(EVENTS, ("ns of a tick without event", |point| point.without_event)),
     panel(EVENTS, ("ns of a tick with one event", |point| point.with_one_event)),
     panel(EVENTS, ("ns of a tick with the most events", |point| point.with_most_events)),
-    panel(EVENTS, ("ns of the worst tick", |point| point.worst_tick)),
 ];
+
+const COUNTED: [Quantities; 2] = [panel(EVENTS, EVALUATIONS), panel(STATES, EVALUATIONS)];
 
 const THEIRS: [Quantities; 4] = [
     panel(EVENTS, PER_MS),
@@ -250,9 +320,9 @@ mod tests {
                 assert!(twin.is_none(), "{problem}: {} and {twin:?}", curve.name);
             }
         }
-        let own: Vec<_> = (0..30).map(|index| looks(&ours(index, MethodKind::Fixed))).collect();
+        let own: Vec<_> = METHODS.iter().map(|method| looks(&style(method))).collect();
         for (i, look) in own.iter().enumerate() {
-            assert!(!own[..i].contains(look), "method {i}");
+            assert!(!own[..i].contains(look), "{}", METHODS[i].name);
         }
     }
 }

@@ -39,19 +39,19 @@ const OURS: [(&str, &str); 33] = [
 ];
 
 pub(super) fn ours(measured: &MeasuredScenario) -> Table {
-    Table::new(OURS).with(measured.rows.iter().map(|row| cells(row, measured.entry.source)))
+    Table::new(OURS).with(measured.rows.iter().map(|row| cells(row, measured)))
 }
 
 pub(super) fn all(tables: Vec<Table>) -> Table {
     Table::new(OURS).with(tables.into_iter().flat_map(|it| it.rows))
 }
 
-fn cells(row: &StudyRow, source: &str) -> [TableCell; OURS.len()] {
+fn cells(row: &StudyRow, measured: &MeasuredScenario) -> [TableCell; OURS.len()] {
     let StudyRow { verdict, counts, times, .. } = row;
     let (words, number, maybe) = (TableCell::words, TableCell::Number, TableCell::maybe);
     let [sequence, right_until, expected, found, failure] = sequence(&verdict.sequence);
     [
-        words(row.scenario),
+        words(measured.entry.name),
         words(row.method.name),
         TableCell::Words(row.method.order.to_string()),
         words(steps(row.method.kind)),
@@ -63,7 +63,7 @@ fn cells(row: &StudyRow, source: &str) -> [TableCell; OURS.len()] {
         maybe(verdict.event_error),
         maybe(verdict.state_error),
         maybe(verdict.force_error),
-        number(row.energy_residual),
+        maybe(row.energy_residual),
         number(times.per_ms),
         number(times.worst_tick),
         maybe(times.without_event),
@@ -83,7 +83,7 @@ fn cells(row: &StudyRow, source: &str) -> [TableCell; OURS.len()] {
         expected,
         found,
         failure,
-        words(source),
+        words(measured.entry.source),
     ]
 }
 

@@ -3,7 +3,10 @@
 use serde::Serialize;
 
 use super::{Machine, StudyReport, date, peers::Author, text};
-use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
+use crate::accuracy::{
+    MeasuredScenario, MethodKind, ObservedOrder, RunVerdict, SequenceVerdict, StudyRow,
+    observed_orders,
+};
 
 /// Errors of event times (s) at which speed is compared.
 pub(super) const TARGETS: [f64; 3] = [1e-6, 1e-9, 1e-12];
@@ -26,6 +29,7 @@ struct ScenarioSummary {
     /// Our cheapest run with steps by a tolerance, for each target that one meets.
     offline: Vec<Cheapest>,
     side_by_side: [Vec<Cheapest>; 3],
+    orders: Vec<ObservedOrder>,
 }
 
 /// The cheapest run with an event-time error below a target.
@@ -50,6 +54,7 @@ impl<'a> Summary<'a> {
             side_by_side: [Author::Ours, Author::Others, Author::ByHand].map(|author| {
                 TARGETS.into_iter().filter_map(|it| peer(report, measured, author, it)).collect()
             }),
+            orders: observed_orders(measured),
         };
         Self {
             machine: &report.machine,
@@ -62,6 +67,20 @@ impl<'a> Summary<'a> {
 pub(super) fn failures(measured: &MeasuredScenario) -> usize {
     let wrong = |row: &&StudyRow| row.verdict.sequence != SequenceVerdict::Right;
     measured.rows.iter().filter(wrong).count()
+}
+
+/// Errors of event times (s) and states that are rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// Returns the largest error (s) of a scenario on which every method of order 2 or higher errs by
+/// rounding alone; `None` of another scenario.
+pub(super) fn error_where_exact(measured: &MeasuredScenario) -> Option<f64> {
+    let rows = measured.rows.iter().filter(|row| row.method.order > 1);
+    let errors = rows.map(|row| {
+        let RunVerdict { event_error, state_error, .. } = row.verdict;
+        event_error.zip(state_error).filter(|it| it.0.max(it.1) < ROUNDING).map(|it| it.0)
+    });
+    errors.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
 }
 
 pub(super) fn in_ticks(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {

@@ -106,7 +106,13 @@ impl Scenario for BallScenario {
 
     fn plan(&self) -> Plan {
         let (ticks, offline_tick) = (super::TICKS, 100.0 * MS);
-        Plan { until: self.drop.until, ticks, offline_tick, felt: ForceKind::Impulse }
+        Plan {
+            until: self.drop.until,
+            ticks,
+            offline_tick,
+            felt: ForceKind::Impulse,
+            ..Plan::EXACT
+        }
     }
 
     fn start(&self) -> (SmallModel, ModeOf<Self>, [f64; 4]) {

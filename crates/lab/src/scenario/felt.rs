@@ -166,7 +166,14 @@ impl Scenario for FeltScenario {
 
     fn plan(&self) -> Plan {
         let ContactRecord { span: (until, row), ticks, .. } = self.known;
-        Plan { until, ticks, offline_tick: row, felt: Figure::Impulse }
+        Plan {
+            until,
+            ticks,
+            offline_tick: row,
+            felt: Figure::Impulse,
+            order_bound: Some(POWER + 1.0),
+            ..Plan::EXACT
+        }
     }
 
     fn start(&self) -> (FeltPenetration, bool, [f64; 2]) {

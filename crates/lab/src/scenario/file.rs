@@ -36,7 +36,7 @@ pub struct BadFile {
 }
 
 impl BadFile {
-    pub(super) fn missing(name: &'static str, what: &str) -> Self {
+    pub(crate) fn missing(name: &'static str, what: &str) -> Self {
         Self { name, what: format!("{what} is missing") }
     }
 }

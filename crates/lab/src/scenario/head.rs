@@ -185,7 +185,7 @@ impl Scenario for HeadScenario {
 
     fn plan(&self) -> Plan {
         let (ticks, offline_tick) = (TICKS, 50.0 * MS);
-        Plan { until: UNTIL, ticks, offline_tick, felt: ForceKind::Impulse }
+        Plan { until: UNTIL, ticks, offline_tick, felt: ForceKind::Impulse, ..Plan::EXACT }
     }
 
     fn start(&self) -> (FallingHead, Mode, [f64; 2]) {

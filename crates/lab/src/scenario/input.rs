@@ -1,6 +1,7 @@
 //! Strokes as functions of time, exact with their derivatives.
 
-use pode::{Motion, series::add_bell};
+use pode::Motion;
+use pode::series::{INPUT_TERMS, add_bell};
 
 /// An input that is a sum of terms with size, time and width.
 pub(super) trait TermInput: Copy {
@@ -12,6 +13,17 @@ pub(super) trait TermInput: Copy {
 
     /// Adds to `terms` the coefficients of the input at t + dt τ (s) by power of τ.
     fn add_series(&self, time: (f64, f64), terms: &mut [f64]);
+
+    /// Writes the coefficients of the input at t + dt τ (s); `false` if there are too many.
+    fn write_series(&self, time: (f64, f64), out: &mut [Motion]) -> bool {
+        let mut terms = [0.0; INPUT_TERMS];
+        let terms = terms.get_mut(..out.len()).unwrap_or_default();
+        self.add_series(time, terms);
+        for (out, position) in out.iter_mut().zip(&*terms) {
+            *out = Motion { position: *position, ..Motion::default() };
+        }
+        out.len() == terms.len()
+    }
 }
 
 /// Returns A, tc (s) and 1/w (1/s) of each term.
@@ -53,6 +65,13 @@ impl<const N: usize> TermInput for Bells<N> {
 /// s(t) = Σ A (1 + tanh((t − tc)/w))/2.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Presses<const N: usize>([[f64; 3]; N]);
+
+impl Presses<1> {
+    /// Returns a press by `size`, fastest at `tc` (s), of the width `w` (s).
+    pub(super) fn one(size: f64, [tc, w]: [f64; 2]) -> Self {
+        Self([[size, tc, 1.0 / w]])
+    }
+}
 
 impl<const N: usize> TermInput for Presses<N> {
     fn of(terms: &[[f64; 3]]) -> Option<Self> {

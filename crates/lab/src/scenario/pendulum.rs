@@ -124,7 +124,7 @@ impl Scenario for PendulumScenario {
 
     fn plan(&self) -> Plan {
         let (ticks, offline_tick) = (super::TICKS, 100.0 * MS);
-        Plan { until: UNTIL, ticks, offline_tick, felt: ForceKind::Impulse }
+        Plan { until: UNTIL, ticks, offline_tick, felt: ForceKind::Impulse, ..Plan::EXACT }
     }
 
     fn start(&self) -> (Pendulum, (), [f64; 2]) {

@@ -1,7 +1,7 @@
 //! Instruments under a stroke, against trajectories of independent programs.
 
 use instruments::{NamedModes as _, SmallModel};
-use pode::{Motion, series::INPUT_TERMS};
+use pode::Motion;
 
 use super::file::{BadFile, ReferenceCase, ReferenceFile, file};
 use super::input::{Bells, Presses, TermInput};
@@ -61,7 +61,7 @@ impl<I: TermInput> Scenario for StrokeScenario<I> {
 
     fn plan(&self) -> Plan {
         let Self { until, pace: StrokeTicks { ticks, offline_tick }, .. } = *self;
-        Plan { until, ticks, offline_tick, felt: ForceKind::Readout }
+        Plan { until, ticks, offline_tick, felt: ForceKind::Readout, ..Plan::EXACT }
     }
 
     /// Starts at rest under s = 0; the first tick sets the values that a mode slaves to the input.
@@ -76,13 +76,7 @@ impl<I: TermInput> Scenario for StrokeScenario<I> {
     }
 
     fn input_series(&self, time: (f64, f64), out: &mut [Motion]) -> bool {
-        let mut terms = [0.0; INPUT_TERMS];
-        let terms = terms.get_mut(..out.len()).unwrap_or_default();
-        self.input.add_series(time, terms);
-        for (out, position) in out.iter_mut().zip(&*terms) {
-            *out = Motion { position: *position, ..Motion::default() };
-        }
-        out.len() == terms.len()
+        self.input.write_series(time, out)
     }
 
     fn reference(&self) -> &Reference<SmallModel> {

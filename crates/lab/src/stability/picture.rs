@@ -49,7 +49,7 @@ pub(super) fn picture(
         y: vec![picture_axis(up)],
         areas: areas(map, [&x, &y]),
         curves,
-        levels: Vec::new(),
+        ..PicturePanel::default()
     };
     let title = format!("{}, velocity by {}", study.name, map.estimator.name());
     Picture { notes: settings, size: (516.0, 386.0), ..Picture::of_panel(title, panel) }

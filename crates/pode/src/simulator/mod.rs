@@ -290,10 +290,14 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Lets the method expand its series from the present state, under `input`.
     fn prepare<S: Signal<M::Input>, W>(&mut self, run: &mut TickRun<'_, S, W>, input: &M::Input) {
+        /// Ticks of the longest unit of time: that of a polynomial, whose higher terms vanish, would
+        /// grow from step to step.
+        const MOST_TICKS: f64 = 1e6;
         let [memory, ..] = &self.memory;
         let known = memory.method().scale();
         let longest = self.model.longest_step_at(self.mode, &self.state, input);
         let scale = if known.is_finite() { known } else { longest.min(run.rest()) };
+        let scale = scale.min(MOST_TICKS * run.h);
         let mode_step = ModeStep {
             model: &self.model,
             stepper: &self.stepper,

@@ -79,7 +79,7 @@ fn panel(run: &RunPicture, kind: PanelKind) -> PicturePanel {
         y.push(PictureAxis::default());
     }
     let x = PictureAxis::linear("time t [s]").between((0.0, run.axis.until));
-    PicturePanel { x, y, areas: areas(run), curves, levels: Vec::new() }
+    PicturePanel { x, y, areas: areas(run), curves, ..PicturePanel::default() }
 }
 
 fn drawn(curve: &SignalCurve, units: &[&str], stroke: Stroke) -> PictureCurve {

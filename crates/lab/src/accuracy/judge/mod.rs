@@ -1,13 +1,13 @@
 //! Compares a run with the reference: first the sequence of events, then the errors.
 
 use pode::{Model, State};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::observe::{FoundSamples, ObservedRun, SeenEvent};
 use crate::scenario::{ExpectedEvent, Reference, ReferenceSample};
 
 /// Verdict on a run: its events, and its errors if the events were right.
-#[derive(Clone, PartialEq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct RunVerdict {
     pub sequence: SequenceVerdict,
     /// Number of events, judged or not.
@@ -18,10 +18,27 @@ pub struct RunVerdict {
     pub state_error: Option<f64>,
     /// Largest error of the force away from events, over its largest magnitude.
     pub force_error: Option<f64>,
+    /// Least errors that the reference can show: of event times (s), and of states and force.
+    pub least_errors: [f64; 2],
+}
+
+impl RunVerdict {
+    /// Returns the verdict with smaller errors raised to those that the reference can show.
+    pub(super) fn at_least(self, least: [f64; 2]) -> Self {
+        let [event, state] = least;
+        let raised = |error: Option<f64>, least: f64| error.map(|it| it.max(least));
+        Self {
+            event_error: raised(self.event_error, event),
+            state_error: raised(self.state_error, state),
+            force_error: raised(self.force_error, state),
+            least_errors: least,
+            ..self
+        }
+    }
 }
 
 /// Result of comparing the events with the reference.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SequenceVerdict {
     Right,
@@ -30,7 +47,7 @@ pub enum SequenceVerdict {
 }
 
 /// First difference between two sequences of events.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct EventMismatch {
     pub index: usize,
     pub expected: String,
@@ -48,9 +65,10 @@ pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M
     let is_right = sequence.is_right();
     RunVerdict {
         events: observed.events.len(),
-        event_error: is_right.then(|| event_error(reference, observed)),
+        event_error: event_error(reference, observed).filter(|_| is_right),
         state_error: state_error(&reference.samples, &observed.samples).filter(|_| is_right),
         force_error: force_error(&reference.samples, &observed.samples).filter(|_| is_right),
+        least_errors: [0.0; 2],
         sequence,
     }
 }
@@ -96,12 +114,12 @@ fn difference<M: Model>(reference: &Reference<M>, seen: &[SeenEvent<M>]) -> Opti
 }
 
 /// Returns the largest error of a time (s): of the matched events, and of the rest that follows.
-fn event_error<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> f64 {
+fn event_error<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> Option<f64> {
     let pairs = reference.events.iter().zip(&observed.events);
     let events = pairs.map(|(expected, seen)| (expected.t - seen.t).abs());
     let rest =
         reference.rest.zip(observed.entered).map(|(rest, entered)| (rest.0 - entered.0).abs());
-    events.chain(rest).fold(0.0, f64::max)
+    events.chain(rest).reduce(f64::max)
 }
 
 /// Returns the largest error of any entry of the state, over that entry's largest magnitude.

@@ -54,6 +54,7 @@ fn right() -> ObservedRun<Ball> {
         entered: Some((0.3, Mode::Flight)),
         samples: reference.samples.iter().map(|it| Some((it.state, it.force))).collect(),
         work: Vec::new(),
+        ticks: Vec::new(),
         residual: 0.0,
         trouble: None,
     }
