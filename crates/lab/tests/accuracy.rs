@@ -203,7 +203,7 @@ fn a_quick_study_of_two_scenarios_writes_a_table_plots_and_a_page() {
     let measured = study(&["pendulum", "figure-6"], &["heun", "rk4", "as-played"], Effort::QUICK);
     let runs: usize = measured.iter().map(|it| it.rows.len()).sum();
     // Every second of seven steps, and at most 20,000 ticks.
-    assert_eq!(runs, 3 * (2 + 4));
+    assert_eq!(runs, 3 * (2 + 3));
     let (folder, _) = written("quick", measured, Vec::new());
     assert_eq!(read(&folder, "accuracy.csv").lines().count(), runs + 1);
     let page = read(&folder, "index.html");

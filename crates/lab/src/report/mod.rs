@@ -29,6 +29,9 @@ use crate::accuracy::{EnergyDrift, MeasuredScenario, StudyChoice};
 
 pub const PAGE: &str = "index.html";
 
+/// CSV columns that say which run it is.
+const RUN_KEYS: [&str; 4] = ["scenario", "method", "tick_s", "tolerance_or_budget"];
+
 const HOW_TO_READ: &str = include_str!("how_to_read.html");
 
 /// Results of a study so far, with its machine.
@@ -79,10 +82,9 @@ impl StudyReport {
             tables.push(ours);
         }
         self.add_drifts(&mut report);
-        const KEYS: [&str; 4] = ["scenario", "method", "tick_s", "tolerance_or_budget"];
         let (all, is_time) = (runs::all(tables), |name: &str| name.starts_with("ns_"));
         report.csv("accuracy", &all.columns(|name| !is_time(name)));
-        report.csv("times", &all.columns(|name| is_time(name) || KEYS.contains(&name)));
+        report.csv("times", &all.columns(|name| is_time(name) || RUN_KEYS.contains(&name)));
         report.csv("orders", &orders::table(&self.measured));
         report.file(stored::RUNS, StoredRuns::text(self, choice));
         report.write(folder)

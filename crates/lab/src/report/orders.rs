@@ -5,14 +5,15 @@ use crate::accuracy::{MeasuredScenario, observed_orders};
 
 pub(super) const TEXT: &str = "The observed order is the slope of the error over the step, by \
     least squares in logarithms, without errors of rounding. It is the nominal one only as far as \
-    the motion is smooth between located events.";
+    the motion is smooth between located events; the limit by the contacts is that of ever shorter \
+    steps.";
 
 pub(super) fn table(measured: &[MeasuredScenario]) -> Table {
     const COLUMNS: [(&str, &str); 6] = [
         ("scenario", ""),
         ("method", "method"),
         ("order", "order"),
-        ("order_bound", "at most, by the contacts"),
+        ("order_bound", "limit by the contacts"),
         ("observed_of_events", "observed: event times"),
         ("observed_of_states", "states"),
     ];

@@ -81,7 +81,7 @@ impl Table {
         let kept: Vec<_> =
             (0..self.columns.len()).filter(|it| keep(&self.columns[*it].0)).collect();
         let row = |row: &Vec<TableCell>| kept.iter().map(|it| row[*it].clone()).collect::<Vec<_>>();
-        Table::new(kept.iter().map(|it| self.columns[*it].clone())).with(self.rows.iter().map(row))
+        Self::new(kept.iter().map(|it| self.columns[*it].clone())).with(self.rows.iter().map(row))
     }
 
     fn csv(&self) -> String {

@@ -79,7 +79,7 @@ impl<M: Described> DescribedScenario<M> {
             Limits { events: 1_000, guards: 1_000_000, pieces: 100_000, ..Limits::default() };
         let (model, mode, state) = self.start();
         let mut run = RunRecorder::new(ROW).sampled(ROW);
-        let dop853 = Controlled { method: Dop853::default(), tolerance: Tolerance::both(1e-13) };
+        let dop853 = Controlled { method: Dop853, tolerance: Tolerance::both(1e-13) };
         let mut simulator = Simulator::new(model, dop853, limits, mode, state);
         let _outcome = simulator.run(self.stroke.until, ROW, |t| self.input(t), &mut run);
         let event =
