@@ -6,10 +6,10 @@ use std::sync::{Arc, LazyLock};
 
 use instruments::LoadedModel;
 use mechanism::Library;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A hard case: a description, its settings, and the right outcome.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct HardCase {
     pub name: String,
@@ -38,7 +38,7 @@ pub struct HardCase {
 }
 
 /// Events and values of the right outcome.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct ExpectedRun {
     /// Largest error of a time (s), and of values unless `accuracy` states another.
@@ -71,7 +71,7 @@ pub struct ExpectedRun {
 }
 
 /// Reported failure that is the right outcome.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum HardFailure {
     /// The description is rejected.
@@ -79,6 +79,8 @@ pub enum HardFailure {
     /// The run ends where there is no solution.
     Fault,
 }
+
+pub(super) type CaseModel = Result<Arc<LoadedModel>, String>;
 
 /// Folder that no file is read from.
 const FOLDER: &str = "hard-cases";
@@ -101,27 +103,17 @@ descriptions! {
     "slide" "spool" "stays" "swing" "thresholds" "two-balls" "yank"
 }
 
-static CASES: LazyLock<Result<Vec<HardCase>, serde_json::Error>> =
-    LazyLock::new(|| serde_json::from_str(include_str!("../../cases/cases.json")));
-
-/// Returns all cases.
-///
-/// # Errors
-/// The built-in list is malformed, which a test excludes.
-pub fn hard_cases() -> Result<&'static [HardCase], &'static serde_json::Error> {
-    CASES.as_deref()
-}
+/// All cases; none if the built-in list is malformed, which a test excludes.
+pub static HARD_CASES: LazyLock<Vec<HardCase>> = LazyLock::new(|| {
+    serde_json::from_str(include_str!("../../cases/cases.json")).unwrap_or_default()
+});
 
 impl HardCase {
-    /// Returns the model of its description, from `library`.
-    pub(super) fn load(&self, library: &Library) -> Result<Arc<LoadedModel>, String> {
+    /// Returns the model of its description, or the mistakes.
+    pub(super) fn load(&self, library: &Library) -> CaseModel {
         let path = Path::new(FOLDER).join(format!("{}.toml", self.model));
         let known = DESCRIPTIONS.iter().find(|(name, _)| *name == self.model);
         library.keep_file(&path, known.map_or("", |(_, text)| text));
         library.load(&path).map_err(|mistakes| mistakes.to_string())
-    }
-
-    pub(super) const fn is_report(&self) -> bool {
-        matches!(self.source.as_bytes(), [b'h', b't', b't', b'p', ..])
     }
 }

@@ -12,7 +12,7 @@ mod sheet;
 #[cfg(test)]
 mod tests;
 
-pub use case::{ExpectedRun, HardCase, hard_cases};
-pub use rows::{BadCase, HardChoice, HardRow, HardSummary, measure};
+pub use case::{ExpectedRun, HARD_CASES, HardCase};
+pub use rows::{HardChoice, HardRow, measure};
 pub use run::{HardRun, HardVerdict};
 pub use sheet::write_hard;

@@ -32,9 +32,9 @@ pub(super) fn picture(rows: &[HardRow]) -> String {
             methods.push(run.method);
         }
     }
-    let topics = topics(rows);
+    let topics = || rows.chunk_by(|a, b| a.case.topic == b.case.topic);
     let width = LEFT + CELL.0 * methods.len() as f64 + 24.0;
-    let height = TOP + CELL.1 * rows.len() as f64 + HEADING * topics.len() as f64 + 12.0;
+    let height = TOP + CELL.1 * rows.len() as f64 + HEADING * topics().count() as f64 + 12.0;
     let mut canvas = Canvas::new((width, height));
     canvas.text("Hard cases by every method", (12.0, 18.0), 15.0, Anchor::Start);
     draw_legend(&mut canvas);
@@ -43,27 +43,16 @@ pub(super) fn picture(rows: &[HardRow]) -> String {
         canvas.text(method, (x, TOP - 4.0), TEXT, Anchor::Rising);
     }
     let mut top = TOP;
-    for topic in topics {
-        canvas.text(topic, (12.0, top + 13.0), 12.5, Anchor::Start);
+    for topic in topics() {
+        canvas.text(&topic[0].case.topic, (12.0, top + 13.0), 12.5, Anchor::Start);
         canvas.line(&[(12.0, top + 2.0), (width - 12.0, top + 2.0)], Stroke::new(INK, 0.5));
         top += HEADING;
-        for row in rows.iter().filter(|it| it.case.topic == topic) {
+        for row in topic {
             draw_row(&mut canvas, row, top, &methods);
             top += CELL.1;
         }
     }
     canvas.into_svg()
-}
-
-/// Returns the topics in the order of their first case.
-pub(super) fn topics(rows: &[HardRow]) -> Vec<&str> {
-    let mut topics: Vec<&str> = Vec::new();
-    for row in rows {
-        if !topics.contains(&&*row.case.topic) {
-            topics.push(&row.case.topic);
-        }
-    }
-    topics
 }
 
 fn draw_legend(canvas: &mut Canvas) {

@@ -1,15 +1,11 @@
 //! All runs of the chosen cases and methods.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
-
 use cli::simulate::StudiedMethod;
 use figures::parallel::in_parallel;
-use instruments::LoadedModel;
 use mechanism::Library;
 use serde::Serialize;
 
-use super::case::{HardCase, HardFailure};
+use super::case::{HARD_CASES, HardCase, HardFailure};
 use super::run::{HardRun, HardVerdict};
 use crate::accuracy::{UnknownName, unknown_names};
 
@@ -18,14 +14,6 @@ const FULL: [&str; 5] = ["rk4", "dop853", "tsitouras5", "by-need", "exact"];
 
 /// Methods of a quick study, if none is named.
 const QUICK: [&str; 4] = ["rk4", "dop853", "by-need", "exact"];
-
-/// A case with a description that has mistakes, all of them on `mistakes`.
-#[derive(Clone, Debug, thiserror::Error)]
-#[error("the description of {case:?} has mistakes: {mistakes}")]
-pub struct BadCase {
-    pub case: String,
-    pub mistakes: String,
-}
 
 /// Cases and methods of a study.
 #[derive(Clone, Debug)]
@@ -37,13 +25,9 @@ pub struct HardChoice {
 }
 
 impl HardChoice {
-    /// Chooses from `all` the cases and methods with these names; an empty list chooses all.
-    pub fn new(
-        all: &'static [HardCase],
-        cases: &[String],
-        methods: &[String],
-    ) -> Result<Self, Vec<UnknownName>> {
-        let known: Vec<_> = all.iter().map(|it| it.name.as_str()).collect();
+    /// Chooses the cases and methods with these names; an empty list chooses all.
+    pub fn new(cases: &[String], methods: &[String]) -> Result<Self, Vec<UnknownName>> {
+        let known: Vec<_> = HARD_CASES.iter().map(|it| it.name.as_str()).collect();
         let names: Vec<_> = StudiedMethod::names().collect();
         let mut unknown = unknown_names("case", cases, &known);
         unknown.extend(unknown_names("method", methods, &names));
@@ -53,7 +37,7 @@ impl HardChoice {
         let is_asked_for =
             |asked: &[String], name: &str| asked.is_empty() || asked.iter().any(|it| it == name);
         Ok(Self {
-            cases: all.iter().filter(|it| is_asked_for(cases, &it.name)).collect(),
+            cases: HARD_CASES.iter().filter(|it| is_asked_for(cases, &it.name)).collect(),
             methods: names.into_iter().filter(|it| is_asked_for(methods, it)).collect(),
             stride: 1,
         })
@@ -70,9 +54,7 @@ impl HardChoice {
     }
 
     fn steps(&self, case: &HardCase) -> Vec<f64> {
-        let mut steps: Vec<_> = case.steps.iter().rev().step_by(self.stride).copied().collect();
-        steps.reverse();
-        steps
+        case.steps.iter().skip(self.stride - 1).step_by(self.stride).copied().collect()
     }
 
     /// Returns the number of runs.
@@ -83,7 +65,7 @@ impl HardChoice {
 }
 
 /// A case with all its runs, method by method, the longest step first.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct HardRow {
     pub case: &'static HardCase,
     pub runs: Vec<HardRun>,
@@ -111,12 +93,8 @@ impl HardRow {
     /// Describes the outcome of the methods that must be right, over all steps.
     pub fn outcome(&self) -> String {
         let full: Vec<_> = self.runs.iter().filter(|it| FULL.contains(&it.method)).collect();
-        let count = |verdict| full.iter().filter(|it| it.verdict == verdict).count();
-        let reported = match count(HardVerdict::Reported) {
-            0 => String::new(),
-            some => format!(", {some} reported"),
-        };
-        let count = format!("{} of {} runs right{reported}", count(HardVerdict::Right), full.len());
+        let right = full.iter().filter(|it| it.verdict == HardVerdict::Right).count();
+        let count = format!("{right} of {} runs right", full.len());
         let shown = match self.case.expected.fails {
             Some(HardFailure::Mistake) => "the description is rejected".to_owned(),
             Some(HardFailure::Fault) => "the run ends there with a fault".to_owned(),
@@ -132,50 +110,10 @@ impl HardRow {
     }
 }
 
-/// Figures of a study, for programs.
-#[derive(Clone, Debug, Serialize)]
-pub struct HardSummary<'a> {
-    pub cases: usize,
-    pub runs: usize,
-    pub verdicts: BTreeMap<&'static str, usize>,
-    /// Cases that failed, each with the reason if it is known.
-    pub failed: BTreeMap<&'a str, Option<&'a str>>,
-    pub rows: BTreeMap<&'a str, &'a [HardRun]>,
-}
-
-impl<'a> HardSummary<'a> {
-    pub fn new(rows: &'a [HardRow]) -> Self {
-        let runs = || rows.iter().flat_map(|it| &it.runs);
-        let count = |verdict| runs().filter(|it| it.verdict == verdict).count();
-        let failed = rows.iter().filter(|it| !it.failures().is_empty());
-        Self {
-            cases: rows.len(),
-            runs: runs().count(),
-            verdicts: HardVerdict::ALL.map(|it| (it.title(), count(it))).into(),
-            failed: failed.map(|it| (&*it.case.name, it.case.explained.as_deref())).collect(),
-            rows: rows.iter().map(|it| (&*it.case.name, &*it.runs)).collect(),
-        }
-    }
-}
-
-type CaseModel = Result<Arc<LoadedModel>, String>;
-
 /// Runs the chosen cases on all processors; calls `done` after each run.
-///
-/// # Errors
-/// A description has mistakes.
-pub fn measure(choice: &HardChoice, done: &(dyn Fn() + Sync)) -> Result<Vec<HardRow>, BadCase> {
+pub fn measure(choice: &HardChoice, done: &(dyn Fn() + Sync)) -> Vec<HardRow> {
     let library = Library::default();
-    let mut models = Vec::new();
-    for case in &choice.cases {
-        let model: CaseModel = case.load(&library);
-        match (&model, case.expected.fails) {
-            (Err(_), Some(HardFailure::Mistake)) | (Ok(_), _) => models.push(model),
-            (Err(mistakes), _) => {
-                return Err(BadCase { case: case.name.clone(), mistakes: mistakes.clone() });
-            }
-        }
-    }
+    let models: Vec<_> = choice.cases.iter().map(|case| case.load(&library)).collect();
     let methods = || choice.methods.iter().copied();
     let all = 0..choice.cases.len();
     let mut jobs: Vec<_> = all.flat_map(|case| methods().map(move |it| (case, it))).collect();
@@ -184,7 +122,7 @@ pub fn measure(choice: &HardChoice, done: &(dyn Fn() + Sync)) -> Result<Vec<Hard
     let found = in_parallel(&jobs, &|(place, method)| {
         let case = choice.cases[*place];
         let run = |step| {
-            let run = run(case, &models[*place], method, step);
+            let run = case.run(&models[*place], method, step);
             done();
             run
         };
@@ -195,16 +133,5 @@ pub fn measure(choice: &HardChoice, done: &(dyn Fn() + Sync)) -> Result<Vec<Hard
     for ((case, _), runs) in jobs.iter().zip(found) {
         rows[*case].runs.extend(runs);
     }
-    Ok(rows)
-}
-
-fn run(case: &HardCase, model: &CaseModel, method: &'static str, step: f64) -> HardRun {
-    match (model, case.expected.fails) {
-        (Err(mistakes), _) => HardRun::ended(method, step, HardVerdict::Right, mistakes.clone()),
-        (Ok(_), Some(HardFailure::Mistake)) => {
-            let remark = "the description is accepted".to_owned();
-            HardRun::ended(method, step, HardVerdict::Wrong, remark)
-        }
-        (Ok(model), _) => case.run(model, method, step),
-    }
+    rows
 }

@@ -4,21 +4,24 @@ use clap::Parser as _;
 use cli::simulate::{
     MOST_ENERGY_ERROR, SimulateArgs, SimulateError, Simulated, TimedEvent, simulate,
 };
-use instruments::LoadedModel;
 use pode::Stepper as _;
 use pode::stepper::ByNeed;
 use serde::Serialize;
 
-use super::case::{ExpectedRun, HardCase, HardFailure};
+use super::case::{CaseModel, ExpectedRun, HardCase, HardFailure};
 
 /// Angle of the fastest motion over a run (rad), of which `by-need` has a budget per radian.
 const RADIANS: f64 = 10.0;
 
+/// Number of events in a remark.
+const SHOWN: usize = 6;
+
 /// Verdict on a run, the best first.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum HardVerdict {
     /// The events are right, and every error is within its tolerance.
+    #[default]
     Right,
     /// The method rejects the case before it runs.
     Refused,
@@ -46,7 +49,7 @@ impl HardVerdict {
 }
 
 /// A judged run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct HardRun {
     pub method: &'static str,
     /// Length of a tick (s).
@@ -69,42 +72,31 @@ impl HardRun {
     pub fn error(&self) -> Option<f64> {
         self.event_error.into_iter().chain(self.value_error).reduce(f64::max)
     }
-
-    /// Returns the row of a run without results.
-    pub(super) fn ended(
-        method: &'static str,
-        step: f64,
-        verdict: HardVerdict,
-        remark: String,
-    ) -> Self {
-        Self {
-            method,
-            step,
-            verdict,
-            event_error: None,
-            value_error: None,
-            energy_error: None,
-            derivatives: None,
-            remark,
-        }
-    }
 }
 
 impl HardCase {
-    pub(super) fn run(&self, model: &LoadedModel, method: &'static str, step: f64) -> HardRun {
-        let done = self.args(method, step).map(|args| simulate(model, &args));
-        match done {
-            Err(usage) => HardRun::ended(method, step, HardVerdict::Refused, usage.to_string()),
-            Ok(Err(error @ SimulateError::Usage(_))) => {
-                HardRun::ended(method, step, HardVerdict::Refused, error.to_string())
+    pub(super) fn run(&self, model: &CaseModel, method: &'static str, step: f64) -> HardRun {
+        let fails = self.expected.fails;
+        let is_budgeted = method == ByNeed::NAME;
+        let radians = if is_budgeted { self.expected.radians.unwrap_or(RADIANS) } else { 0.0 };
+        let ended = |verdict, right: HardFailure, remark: String| {
+            let verdict = if fails == Some(right) { HardVerdict::Right } else { verdict };
+            HardRun { verdict, remark, ..HardRun::default() }
+        };
+        let done = match (model, self.args(method, step)) {
+            (Err(mistakes), _) => ended(HardVerdict::Wrong, HardFailure::Mistake, mistakes.clone()),
+            (Ok(_), Err(usage)) => {
+                ended(HardVerdict::Refused, HardFailure::Mistake, usage.to_string())
             }
-            Ok(Err(error)) => {
-                let is_right = self.expected.fails == Some(HardFailure::Fault);
-                let verdict = if is_right { HardVerdict::Right } else { HardVerdict::Reported };
-                HardRun::ended(method, step, verdict, error.to_string())
-            }
-            Ok(Ok(simulated)) => self.judge(method, step, &simulated),
-        }
+            (Ok(model), Ok(args)) => match simulate(model, &args) {
+                Ok(simulated) => self.judge(radians, &simulated),
+                Err(error @ SimulateError::Usage(_)) => {
+                    ended(HardVerdict::Refused, HardFailure::Mistake, error.to_string())
+                }
+                Err(error) => ended(HardVerdict::Reported, HardFailure::Fault, error.to_string()),
+            },
+        };
+        HardRun { method, step, ..done }
     }
 
     fn args(&self, method: &str, step: f64) -> Result<SimulateArgs, clap::Error> {
@@ -115,37 +107,37 @@ impl HardCase {
         Ok(SimulateArgs { first_tick: self.first_tick, ..SimulateArgs::try_parse_from(words)? })
     }
 
-    fn judge(&self, method: &'static str, step: f64, simulated: &Simulated) -> HardRun {
+    /// Judges a run of a method with a budget over so many radians (0 without one).
+    fn judge(&self, radians: f64, simulated: &Simulated) -> HardRun {
         let (expected, report) = (&self.expected, &simulated.report);
-        let is_sequence = expected.is_sequence(&simulated.events);
+        let is_sequence = expected.is_sequence(&simulated.events) && expected.fails.is_none();
         let event_error = expected.event_error(&simulated.events).filter(|_| is_sequence);
         let state = &report["final"]["state"];
         let value_error = expected.value_error(&|name| state[name].as_f64());
         let energy_error = report["energy_audit"]["error"].as_f64();
-        // Its tolerance is an error per radian, which no step makes smaller.
-        let is_budgeted = method == ByNeed::NAME;
-        let radians = expected.radians.unwrap_or(RADIANS);
-        let budget = if is_budgeted { radians * ByNeed::BUDGET } else { 0.0 };
-        let time = expected.tolerance.max(budget * self.until.min(1.0));
-        let value = expected.accuracy.unwrap_or(expected.tolerance).max(budget);
-        let largest = [(event_error, time), (value_error, value)]
-            .into_iter()
-            .chain(expected.energy.map(|most| (energy_error, most.max(budget))));
-        let mut is_within = true;
-        for (error, most) in largest {
-            is_within &= error.is_none_or(|error| error <= most);
-        }
+        let budget = radians * ByNeed::BUDGET;
+        let value = expected.accuracy.unwrap_or(expected.tolerance);
+        let limits = [
+            (event_error, expected.tolerance.max(budget * self.until.min(1.0))),
+            (value_error, value.max(budget)),
+            (energy_error, expected.energy.map_or(f64::INFINITY, |most| most.max(budget))),
+        ];
+        let is_within = limits.iter().all(|(error, most)| error.is_none_or(|it| it <= *most));
         let is_reported = energy_error.is_some_and(|error| MOST_ENERGY_ERROR < error);
-        let verdict = match (is_sequence && expected.fails.is_none(), is_within, is_reported) {
+        let verdict = match (is_sequence, is_within, is_reported) {
             (true, true, _) => HardVerdict::Right,
             (_, _, true) => HardVerdict::Reported,
             (true, false, false) => HardVerdict::Rough,
             (false, _, false) => HardVerdict::Wrong,
         };
-        let remark = if is_sequence { String::new() } else { listed(&simulated.events) };
+        let remark = if is_sequence {
+            String::new()
+        } else {
+            format!("{:?}", simulated.events.iter().take(SHOWN).collect::<Vec<_>>())
+        };
         let derivatives = report["counts"]["evaluations"]["derivatives"].as_u64();
-        let row = HardRun::ended(method, step, verdict, remark);
-        HardRun { event_error, value_error, energy_error, derivatives, ..row }
+        let errors = HardRun { event_error, value_error, energy_error, ..HardRun::default() };
+        HardRun { verdict, derivatives, remark, ..errors }
     }
 }
 
@@ -183,11 +175,4 @@ impl ExpectedRun {
         let errors = self.r#final.iter().map(|it| error(it).unwrap_or(f64::INFINITY));
         errors.reduce(f64::max)
     }
-}
-
-/// Lists the first events, for a remark.
-fn listed(events: &[TimedEvent]) -> String {
-    const SHOWN: usize = 6;
-    let first = events.iter().take(SHOWN).map(|it| format!("{} {:.6}", it.name, it.t));
-    format!("{} events: {}", events.len(), first.collect::<Vec<_>>().join(", "))
 }

@@ -2,17 +2,15 @@
 
 use std::path::Path;
 
-use super::picture::{picture, topics};
+use super::picture::picture;
 use super::rows::HardRow;
 use super::run::{HardRun, HardVerdict};
 use crate::report::{DiskError, Report, Table, TableCell};
 
-const HOW: &str = "Each case is a description with a known answer: a closed form, or a trajectory of \
-    SciPy. Most are public bug reports of other tools, rebuilt. Every method runs it at four steps. \
-    Right: the events in their order, and every time and value within the tolerance of the case. \
-    Refused: the method rejects the case. Reported: the run ends with a reason, or reports that its \
-    energy does not add up. Inaccurate and wrong are errors without a report. A case fails, marked \
-    by ✗, if rk4, dop853, tsitouras5, by-need or exact is inaccurate or wrong at the shortest step.";
+const HOW: &str = "Every method runs each case at four steps. Right: the events in their order, and \
+    times and values within the tolerance of the case. Reported: the run ends with a reason, or its \
+    energy audit is off by more than 1 %. Inaccurate and wrong are errors without a report. A case \
+    fails (✗) if rk4, dop853, tsitouras5, by-need or exact is so at the shortest step.";
 
 /// Writes the page, hard.svg, hard.csv and reports.csv into `folder`.
 ///
@@ -26,18 +24,15 @@ pub fn write_hard(folder: &Path, rows: &[HardRow]) -> Result<(), DiskError> {
     report.heading(&format!("{} of {} cases fail", failed.len(), rows.len()));
     report.table(&outcomes(&mut failed.into_iter()));
     report.heading("Public bug reports, and the same here");
-    let reports = outcomes(&mut rows.iter().filter(|it| it.case.is_report()));
+    let reports = outcomes(&mut rows.iter().filter(|it| it.case.source.starts_with("http")));
     report.table(&reports);
     report.csv("reports", &reports);
+    report.heading("All runs");
     let mut all = runs();
-    for topic in topics(rows) {
-        report.heading(topic);
-        for row in rows.iter().filter(|it| it.case.topic == topic) {
-            let own = runs().with(row.runs.iter().map(|it| cells(row, it)));
-            let title = format!("{}: {}", row.case.name, row.outcome());
-            report.folded(&title, &own);
-            all.rows.extend(own.rows);
-        }
+    for row in rows {
+        let own = runs().with(row.runs.iter().map(|it| cells(row, it)));
+        report.folded(&format!("{}: {}", row.case.name, row.outcome()), &own);
+        all.rows.extend(own.rows);
     }
     report.csv("hard", &all);
     report.write(folder)
@@ -64,8 +59,8 @@ fn runs() -> Table {
         ("case", ""),
         ("topic", ""),
         ("method", "method"),
-        ("step", "step [s]"),
         ("verdict", "verdict"),
+        ("step", "step [s]"),
         ("event_error", "time of an event [s]"),
         ("value_error", "value at the end"),
         ("energy_error", "energy, of what moved"),
@@ -81,19 +76,8 @@ fn cells(row: &HardRow, it: &HardRun) -> Vec<TableCell> {
     let is_silent = HardVerdict::Reported < it.verdict;
     let verdict = if is_silent { TableCell::WrongWords(title) } else { TableCell::Words(title) };
     let derivatives = it.derivatives.map(|it| it as f64);
-    let [event, value, energy, work] =
-        [it.event_error, it.value_error, it.energy_error, derivatives].map(TableCell::maybe);
-    let remark = TableCell::words(it.remark.clone());
-    vec![
-        case,
-        topic,
-        method,
-        TableCell::Number(it.step),
-        verdict,
-        event,
-        value,
-        energy,
-        work,
-        remark,
-    ]
+    let numbers = [Some(it.step), it.event_error, it.value_error, it.energy_error, derivatives];
+    let first = [case, topic, method, verdict].into_iter();
+    let all = first.chain(numbers.map(TableCell::maybe));
+    all.chain([TableCell::words(it.remark.clone())]).collect()
 }
