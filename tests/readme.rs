@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use crate::letoff::{folder, run};
 
-const DOCUMENTS: &str = "README BOARDS CONTACTS FIGURE6 GUIDE HARD IMPEDANCE LANGUAGE MANUAL STABILITY";
+const DOCUMENTS: &str =
+    "README BOARDS CONTACTS FIGURE6 GUIDE HARD IMPEDANCE LANGUAGE MANUAL STABILITY";
 
 struct Document {
     path: PathBuf,

@@ -153,3 +153,45 @@ fn a_curved_surface_that_moves_is_followed_to_rounding() {
         close(format_args!("h {h}: angle"), angle, 0.0, 1e-12 + 5.0 * (3.0 * h).powi(4));
     });
 }
+
+/// A mass of 1 kg that 1 N drives to x = 0 from either side: x' is the same on both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Notch;
+
+impl TwoSided for Notch {
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn flow(&self, side: f64, x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], -side]
+    }
+
+    fn condition(&self, x: &[f64; 2], (): &()) -> Surface<[f64; 2]> {
+        Surface { value: x[0], gradient: [1.0, 0.0], drift: 0.0 }
+    }
+
+    fn kept(&self, x: &[f64; 2], (): &()) -> Option<Surface<[f64; 2]>> {
+        Some(Surface { value: x[1], gradient: [0.0, 1.0], drift: 0.0 })
+    }
+}
+
+#[test]
+fn a_notch_is_crossed_at_speed_and_holds_a_mass_that_hardly_moves() {
+    each_step_and_phase(|h, phase| {
+        let mut it = start(Notch, [0.5, 0.0], &(), Limits::default());
+        let (recorder, ticks) = run(&mut it, h, phase, 6.5);
+        all_completed(&ticks);
+        assert_eq!(states(recorder.events()), [SlideDown, SlideUp, SlideDown], "h {h}");
+        // At ±1 m/s, every 2 s.
+        for (t, expected) in recorder.times().iter().zip([1.0, 3.0, 5.0]) {
+            close(format_args!("h {h}"), *t, expected, 1e-11);
+        }
+        // From 1e-10 m it meets the edge at 14 µm/s, and would be back in 28 µs.
+        let mut it = start(Notch, [1e-10, 0.0], &(), Limits::default());
+        let (recorder, ticks) = run(&mut it, h, phase, 1.0);
+        all_completed(&ticks);
+        assert_eq!(states(recorder.events()), [Stick], "h {h}, phase {phase}");
+        close("held", it.state()[1], 0.0, f64::EPSILON);
+    });
+}

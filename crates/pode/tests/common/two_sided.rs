@@ -18,6 +18,11 @@ pub trait TwoSided: Copy {
 
     fn condition(&self, x: &Self::State, input: &Self::Input) -> Surface<Self::State>;
 
+    /// Returns c' with its derivatives, where both sides have the same.
+    fn kept(&self, _x: &Self::State, _input: &Self::Input) -> Option<Surface<Self::State>> {
+        None
+    }
+
     fn nature(&self) -> Nature {
         Nature::default()
     }
@@ -95,6 +100,10 @@ impl<M: TwoSided> CoupledFrictions for Switch<M> {}
 impl<M: TwoSided> FrictionalContacts for Switch<M> {
     fn slip(&self, (): (), _: usize, x: &M::State, u: &M::Input) -> Surface<M::State> {
         self.sides.condition(x, u)
+    }
+
+    fn kept(&self, (): (), _: usize, x: &M::State, u: &M::Input) -> Option<Surface<M::State>> {
+        self.sides.kept(x, u)
     }
 
     fn response(&self, (): (), _: usize, x: &M::State, u: &M::Input) -> M::State {
