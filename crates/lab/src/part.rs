@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 
 /// One of `of` shares of a study's runs, written `3/16`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct Part {
+pub struct StudyPart {
     /// Number of the share, 1 ..= `of`.
     pub index: usize,
     pub of: usize,
 }
 
-impl Part {
+impl StudyPart {
     pub const WHOLE: Self = Self { index: 1, of: 1 };
     pub const NONE: Self = Self { index: 0, of: 1 };
 
@@ -25,7 +25,7 @@ impl Part {
     }
 }
 
-impl FromStr for Part {
+impl FromStr for StudyPart {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -45,7 +45,7 @@ mod tests {
     #[test]
     fn each_run_is_in_one_share() {
         for of in [1, 3, 16] {
-            let parts: Vec<Part> = (1..=of).map(|index| Part { index, of }).collect();
+            let parts: Vec<StudyPart> = (1..=of).map(|index| StudyPart { index, of }).collect();
             for number in 0..100 {
                 assert_eq!(parts.iter().filter(|it| it.takes(number)).count(), 1, "{number}/{of}");
             }
@@ -54,9 +54,9 @@ mod tests {
 
     #[test]
     fn a_share_is_read_from_its_text_and_others_are_rejected() {
-        assert_eq!("3/16".parse(), Ok(Part { index: 3, of: 16 }));
+        assert_eq!("3/16".parse(), Ok(StudyPart { index: 3, of: 16 }));
         for wrong in ["", "3", "0/4", "5/4", "1/0", "-1/2", "a/b", "1/2/3"] {
-            assert!(wrong.parse::<Part>().is_err(), "{wrong}");
+            assert!(wrong.parse::<StudyPart>().is_err(), "{wrong}");
         }
     }
 }

@@ -11,7 +11,7 @@ use lab::accuracy::{
     Effort, METHODS, MeasuredScenario, SequenceVerdict, StudyChoice, StudyRow, measure,
     measure_drifts,
 };
-use lab::part::Part;
+use lab::part::StudyPart;
 use lab::report::{self, Machine, StoredRuns, StudyReport, read_peers};
 use mechanism::Library;
 use pode::{Limits, Motion, Silent, Simulator, Work, stepper::Rk4};
@@ -148,7 +148,7 @@ fn joined_shares_are_the_whole_study_to_the_last_bit() {
         folder
     };
     let at_once = run(&whole, "at-once");
-    let part = |index| StudyChoice { part: Part { index, of: 3 }, ..whole.clone() };
+    let part = |index| StudyChoice { part: StudyPart { index, of: 3 }, ..whole.clone() };
     let parts = [1, 2, 3].map(|index| run(&part(index), &index.to_string()));
     let stored = StoredRuns::read(&parts[..2]).expect("files").expect("runs");
     let missing = stored.into_report(&whole).expect_err("a share is missing");

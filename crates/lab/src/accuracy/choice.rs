@@ -2,7 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use super::method::{METHODS, NamedMethod, Setting};
 use super::{Effort, study};
-use crate::part::Part;
+use crate::part::StudyPart;
 use crate::scenario::{Plan, SCENARIOS, ScenarioEntry};
 
 /// Name of the long runs among the scenarios.
@@ -25,7 +25,7 @@ pub struct StudyChoice {
     /// `true` with the long runs that show the error of the energy.
     pub has_long_runs: bool,
     pub effort: Effort,
-    pub part: Part,
+    pub part: StudyPart,
 }
 
 /// Most ticks of a run in a quick study.
@@ -67,7 +67,7 @@ impl StudyChoice {
             methods: METHODS.iter().filter(|it| is_asked_for(methods, it.name)).collect(),
             has_long_runs: is_asked_for(scenarios, LONG_RUN),
             effort,
-            part: Part::WHOLE,
+            part: StudyPart::WHOLE,
         })
     }
 

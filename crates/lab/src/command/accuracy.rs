@@ -7,7 +7,7 @@ use crate::accuracy::{
     Effort, LONG_RUN, METHODS, SequenceVerdict, StudyChoice, StudyNames, UnknownName, measure,
     measure_drifts,
 };
-use crate::part::Part;
+use crate::part::StudyPart;
 use crate::report::{self, Machine, PAGE, StoredRuns, StudyReport, read_peers};
 use crate::scenario::{BadFile, SCENARIOS, ScenarioEntry};
 use clap::Args;
@@ -38,7 +38,7 @@ pub struct AccuracyArgs {
     pub peers: Option<PathBuf>,
     /// Runs one share of the study, as 3/16; --join makes the report of all shares.
     #[arg(long, value_name = "I/N", requires = "out")]
-    pub part: Option<Part>,
+    pub part: Option<StudyPart>,
     /// Makes the report of the shares in these folders, and runs nothing.
     #[arg(long, value_name = "DIR", num_args = 1..,
           conflicts_with_all = ["part", "scenario", "method", "quick"])]
@@ -139,7 +139,7 @@ fn check(args: &AccuracyArgs) -> Result<Checked, Vec<String>> {
     }
     match (chosen, peers) {
         (Ok(choice), Ok(peers)) if mistakes.is_empty() => {
-            let choice = StudyChoice { part: args.part.unwrap_or(Part::WHOLE), ..choice };
+            let choice = StudyChoice { part: args.part.unwrap_or(StudyPart::WHOLE), ..choice };
             Ok((choice, StudyReport { peers, ..StudyReport::new(Machine::this()) }, stored))
         }
         _ => Err(mistakes),

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Machine, StudyReport};
 use crate::accuracy::{EnergyDrift, LONG_RUN, StudyChoice, StudyNames, StudyRow, measure};
-use crate::part::Part;
+use crate::part::StudyPart;
 
 /// Name of the file in the folder of a report.
 pub(super) const RUNS: &str = "runs.json";
@@ -69,7 +69,7 @@ impl StoredRuns {
         self.rows.sort_by_key(|row| row.number);
         self.drifts.sort_by_key(|drift| drift.number);
         let mut report = StudyReport::new(self.machine);
-        let nothing = StudyChoice { part: Part::NONE, ..choice.clone() };
+        let nothing = StudyChoice { part: StudyPart::NONE, ..choice.clone() };
         for entry in &choice.scenarios {
             let measured = measure(entry, &nothing, &|_run| ());
             let mut measured = measured.map_err(|error| vec![error.to_string()])?;
