@@ -48,7 +48,7 @@ use std::thread;
 
 use clap::{Parser, Subcommand};
 
-use simulate::SimulateArgs;
+use simulate::{CallerArgs, SimulateArgs};
 use telemetry::log::Level;
 
 use about::{print_json, print_report};
@@ -228,7 +228,8 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
 fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     use simulate::SimulateError;
     let header = about::ReportHeader::of_command().fields();
-    let args = &SimulateArgs { header, ..args.clone() };
+    let caller = CallerArgs { header, ..args.caller.clone() };
+    let args = &SimulateArgs { caller, ..args.clone() };
     simulate::run(args, out, &mut tell).map_err(|error| {
         let text = error.to_string();
         if let SimulateError::Summary(cause) = error {

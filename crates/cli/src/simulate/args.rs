@@ -97,13 +97,20 @@ pub struct SimulateArgs {
     #[command(flatten)]
     pub output: OutputArgs,
 
-    /// Number of the first tick.
+    /// What no option says.
     #[arg(skip)]
-    pub first_tick: u64,
+    pub caller: CallerArgs,
+}
 
-    /// The fields with which its JSON begins: which program made it, and when.
-    #[arg(skip)]
+/// Wishes of a program that simulates.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct CallerArgs {
+    /// Number of the first tick.
+    pub first_tick: u64,
+    /// The fields with which the JSON begins: which program made it, and when.
     pub header: serde_json::Map<String, serde_json::Value>,
+    /// `true` if the events are kept in memory too.
+    pub lists_events: bool,
 }
 
 /// What `letoff simulate` writes.
@@ -121,10 +128,6 @@ pub struct OutputArgs {
     /// events as lines.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
-
-    /// `true` if the events are kept in memory too.
-    #[arg(skip)]
-    pub is_listed: bool,
 
     /// Print counts, final state and energy audit as one JSON object.
     #[arg(long)]

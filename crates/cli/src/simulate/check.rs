@@ -80,7 +80,7 @@ impl TickClock {
         #[expect(clippy::cast_sign_loss, reason = "at least 1")]
         let ticks = ticks as u64;
         let method = method(args, mistakes);
-        Self { step, until, ticks, first: args.first_tick, method, limits }
+        Self { step, until, ticks, first: args.caller.first_tick, method, limits }
     }
 
     /// Returns the length of tick `tick` (s).

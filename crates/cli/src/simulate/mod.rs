@@ -23,7 +23,7 @@ use std::path::Path;
 use instruments::{LoadedModel, Playable, Visitor};
 use mechanism::Library;
 
-pub use self::args::{Reconstruct, SimulateArgs};
+pub use self::args::{CallerArgs, Reconstruct, SimulateArgs};
 use self::check::{Start, TickClock};
 pub use self::error::{SimulateError, SimulateMistake};
 pub use self::input::InputMistake;
@@ -73,7 +73,7 @@ pub struct Simulated {
 /// Like [`run`].
 pub fn simulate(model: &LoadedModel, args: &SimulateArgs) -> Result<Simulated, SimulateError> {
     let mut args = args.clone();
-    args.output.is_listed = true;
+    args.caller.lists_events = true;
     let (report, events) = model.visit(SimulationJob::new(&args, &mut |_remark| ()))?;
     let json = report.json();
     report.into_result(&args)?;

@@ -67,7 +67,7 @@ impl OutputFiles {
         let plot = args.output.plot.as_ref().map(|path| Plot::create(path, args, start, &guards));
         let plot = plot.transpose().map_err(|mistake| mistakes.push(mistake)).ok().flatten();
         let outputs = vec![0.0; start.model.entry().outputs.len()];
-        let list = args.output.is_listed.then(Vec::new);
+        let list = args.caller.lists_events.then(Vec::new);
         let files = Self { trajectory, events, plot, list, guards, outputs, failure: None };
         if mistakes.is_empty() { Ok(files) } else { Err(mistakes) }
     }

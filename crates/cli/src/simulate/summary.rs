@@ -353,7 +353,7 @@ pub(super) fn write(
 ) -> io::Result<()> {
     if args.output.json {
         let mut json = report.json();
-        json.as_object_mut().into_iter().for_each(|json| json.extend(args.header.clone()));
+        json.as_object_mut().into_iter().for_each(|json| json.extend(args.caller.header.clone()));
         serde_json::to_writer_pretty(&mut *out, &json)?;
         return writeln!(out);
     }

@@ -2,7 +2,7 @@
 
 use clap::Parser as _;
 use cli::simulate::{
-    MOST_ENERGY_ERROR, SimulateArgs, SimulateError, Simulated, TimedEvent, simulate,
+    CallerArgs, MOST_ENERGY_ERROR, SimulateArgs, SimulateError, Simulated, TimedEvent, simulate,
 };
 use pode::Stepper as _;
 use pode::stepper::ByNeed;
@@ -104,7 +104,8 @@ impl HardCase {
         let words =
             ["simulate", &self.model, "--until", &until, "--step", &step, "--method", method];
         let words = words.into_iter().chain(self.arguments.iter().map(String::as_str));
-        Ok(SimulateArgs { first_tick: self.first_tick, ..SimulateArgs::try_parse_from(words)? })
+        let caller = CallerArgs { first_tick: self.first_tick, ..CallerArgs::default() };
+        Ok(SimulateArgs { caller, ..SimulateArgs::try_parse_from(words)? })
     }
 
     /// Judges a run of a method with a budget over so many radians (0 without one).
