@@ -35,6 +35,14 @@ pub(crate) struct Entry {
     pub(crate) run: Run,
 }
 
+impl Entry {
+    /// Counts the evaluations of a run without samples, whose dense output may cost some.
+    pub(crate) fn evaluations(&self) -> Option<u64> {
+        let mut log = Log::new(&[]);
+        (self.run)(&mut log).ok().and(log.evaluations)
+    }
+}
+
 /// Returns the tolerances of a sweep: half decades from 1e-4 to `10^-last`.
 pub(crate) fn tolerances(last: i32) -> impl Iterator<Item = f64> {
     (8..=2 * last).map(|half| 10_f64.powf(-0.5 * f64::from(half)))

@@ -16,8 +16,11 @@ pub fn bar(runs: usize) -> ProgressBar {
 /// Prints a line of progress every 10 s while `bar` runs, where stderr is no terminal.
 pub fn print_lines(bar: &ProgressBar) {
     const LINES: Duration = Duration::from_secs(10);
+    if stderr().is_terminal() {
+        return;
+    }
     let bar = bar.downgrade();
-    let print = move || {
+    thread::spawn(move || {
         loop {
             thread::sleep(LINES);
             let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) else { return };
@@ -25,10 +28,7 @@ pub fn print_lines(bar: &ProgressBar) {
             let left = HumanDuration(bar.eta());
             let _closed = writeln!(stderr(), "{}: {at} of {of} runs, {left} left", bar.message());
         }
-    };
-    if !stderr().is_terminal() {
-        thread::spawn(print);
-    }
+    });
 }
 
 /// Returns a counter of an unknown number of runs.

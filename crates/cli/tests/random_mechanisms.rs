@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::Parser as _;
-use cli::simulate::{SimulateArgs, TimedEvent, simulate};
+use cli::simulate::{MOST_ENERGY_ERROR, SimulateArgs, TimedEvent, simulate};
 use instruments::LoadedModel;
 use mechanism::Library;
 
@@ -180,7 +180,7 @@ impl Bench {
         let args = SimulateArgs::try_parse_from(words).expect("arguments");
         let done = simulate(&self.model, &args).map_err(|error| error.to_string())?;
         let error = done.report["energy_audit"]["error"].as_f64().expect("an audit");
-        if error > 0.01 {
+        if error > MOST_ENERGY_ERROR {
             return Err(format!("{error} of the energy"));
         }
         Ok(without_endings(&done.events))

@@ -167,7 +167,7 @@ fn joined_shares_are_the_whole_study_to_the_last_bit() {
         let drift = joined.drifts.iter().find(|it| it.method.name == method).expect("its run");
         *drift.points.last().expect("points")
     };
-    // A contact has 0.32 rad a step, of which RK4 loses (ωh)⁶/72 of the energy; exact loses none.
+    // A step of a contact spans ωh = 0.32 rad: RK4 loses (ωh)⁶/72 of the energy, the exact flow none.
     assert!(last("rk4").0 > 170.0 && (1e-2..1.0).contains(&last("rk4").1), "{:?}", last("rk4"));
     assert!(last("exact").1 < 1e-12, "{:?}", last("exact"));
 }

@@ -7,6 +7,9 @@ use crate::{apt, command, error::Error, needs::succeeds};
 
 const BENCH: &str = "benches/peers";
 
+/// Folder of the build, the Python environment, and the report of a quick run.
+const WORK: &str = "target/peers";
+
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct PeerOptions {
     /// `true` to see only that everything runs.
@@ -19,7 +22,7 @@ pub(crate) struct PeerOptions {
 pub(crate) fn run(options: &PeerOptions) -> Result<(), Error> {
     apt::install_missing()?;
     let root = command::root();
-    let work = root.join("target/peers");
+    let work = root.join(WORK);
     std::fs::create_dir_all(&work).map_err(|cause| Error::file(&work, cause))?;
     let mut arguments: Vec<OsString> = vec!["--out".into(), out(root, options).into()];
     if options.quick {
@@ -39,18 +42,19 @@ pub(crate) fn run(options: &PeerOptions) -> Result<(), Error> {
             }
         }
     }
-    run_with(&work, arguments)
+    run_with(arguments)
 }
 
 /// Compares the evaluations of pode and of the Rust peers with those of the committed report.
 pub(crate) fn compare_counts() -> Result<(), Error> {
     let results = command::root().join(BENCH).join("results/results.json");
-    run_with(&command::root().join("target/peers"), vec!["--counts".into(), results.into()])
+    run_with(vec!["--counts".into(), results.into()])
 }
 
-fn run_with(work: &Path, arguments: Vec<OsString>) -> Result<(), Error> {
+fn run_with(arguments: Vec<OsString>) -> Result<(), Error> {
     let fixed = ["run", "--release", "--locked", "--manifest-path", "benches/peers/Cargo.toml"];
-    let folder = ["--target-dir".into(), work.join("cargo").into(), "--".into()];
+    let folder = command::root().join(WORK).join("cargo");
+    let folder = ["--target-dir".into(), folder.into(), "--".into()];
     let build = fixed.map(OsString::from).into_iter().chain(folder);
     command::run(&mut command::cargo(build.chain(arguments)))
 }
@@ -60,7 +64,7 @@ fn out(root: &Path, options: &PeerOptions) -> PathBuf {
     match &options.out {
         // As typed, since the bench runs elsewhere.
         Some(out) => here().join(out),
-        None if options.quick => root.join("target/peers/results"),
+        None if options.quick => root.join(WORK).join("results"),
         None => root.join(BENCH).join("results"),
     }
 }

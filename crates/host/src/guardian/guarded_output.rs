@@ -114,6 +114,18 @@ impl GuardedOutput {
         Ok(())
     }
 
+    /// Does `work` at time `now` (s), with another guardian if this one fails.
+    fn attempt(
+        &mut self,
+        now: f64,
+        work: impl Fn(&mut Self) -> io::Result<()>,
+    ) -> Result<(), MidiSendError> {
+        work(self).or_else(|error| {
+            self.replace(now, &error)?;
+            work(self).map_err(|error| MidiSendError::NoGuardian { reason: error.to_string() })
+        })
+    }
+
     /// Replaces a guardian that failed for `why`, at time `now` (s): sends note-offs first, then
     /// the pedals that are down.
     fn replace(&mut self, now: f64, why: &io::Error) -> Result<(), MidiSendError> {
@@ -145,11 +157,7 @@ impl Output for GuardedOutput {
             bytes: message.encode().to_vec(),
             handed_over: clock::monotonic().as_u64(),
         };
-        if let Err(error) = self.send_line(&line) {
-            self.replace(at, &error)?;
-            self.send_line(&line)
-                .map_err(|error| MidiSendError::NoGuardian { reason: error.to_string() })?;
-        }
+        self.attempt(at, |it| it.send_line(&line))?;
         self.held.follow(message);
         Ok(())
     }
@@ -165,11 +173,8 @@ impl Output for GuardedOutput {
         if self.channel.is_none() {
             return Ok(());
         }
-        let finished = self.finish_guardian().or_else(|error| {
-            self.replace(f64::INFINITY, &error)?;
-            self.finish_guardian()
-                .map_err(|error| MidiSendError::NoGuardian { reason: error.to_string() })
-        });
+        // However soon after the last replacement.
+        let finished = self.attempt(f64::INFINITY, Self::finish_guardian);
         self.channel = None;
         finished
     }

@@ -163,6 +163,14 @@ impl ModelEntry {
     pub fn default_value(&self, parameter: usize) -> f64 {
         self.presets.first().map_or(f64::NAN, |preset| preset.value(parameter, 0))
     }
+
+    /// Returns one value per parameter: what `given` has for its name, or the default value.
+    pub fn values(&self, given: impl Fn(&str) -> Option<f64>) -> Vec<f64> {
+        let value = |(index, parameter): (usize, &Parameter)| {
+            given(parameter.name).unwrap_or_else(|| self.default_value(index))
+        };
+        self.parameters.iter().enumerate().map(value).collect()
+    }
 }
 
 /// A structural mode: coordinates n, constraints m, freedoms p = n − m. `[GC93]` table 1.

@@ -22,8 +22,6 @@ pub struct StudyChoice {
     pub names: StudyNames,
     pub scenarios: Vec<&'static ScenarioEntry>,
     pub methods: Vec<&'static NamedMethod>,
-    /// `true` with the long runs that show the error of the energy.
-    pub has_long_runs: bool,
     pub effort: Effort,
     pub part: StudyPart,
 }
@@ -55,8 +53,6 @@ impl StudyChoice {
         if !unknown.is_empty() {
             return Err(unknown);
         }
-        let is_asked_for =
-            |asked: &[String], name| asked.is_empty() || asked.iter().any(|it| it == name);
         Ok(Self {
             names: StudyNames {
                 scenarios: scenarios.to_vec(),
@@ -65,7 +61,6 @@ impl StudyChoice {
             },
             scenarios: SCENARIOS.iter().filter(|it| is_asked_for(scenarios, it.name)).collect(),
             methods: METHODS.iter().filter(|it| is_asked_for(methods, it.name)).collect(),
-            has_long_runs: is_asked_for(scenarios, LONG_RUN),
             effort,
             part: StudyPart::WHOLE,
         })
@@ -93,9 +88,14 @@ impl StudyChoice {
     }
 
     /// Returns the number of long runs in all shares.
-    pub const fn long_runs(&self) -> usize {
-        if self.has_long_runs { self.methods.len() } else { 0 }
+    pub fn long_runs(&self) -> usize {
+        if is_asked_for(&self.names.scenarios, LONG_RUN) { self.methods.len() } else { 0 }
     }
+}
+
+/// Returns `true` if `asked` has the name, or is empty, which asks for all.
+pub(crate) fn is_asked_for(asked: &[String], name: &str) -> bool {
+    asked.is_empty() || asked.iter().any(|it| it == name)
 }
 
 pub(crate) fn unknown_names(

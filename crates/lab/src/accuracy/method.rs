@@ -8,7 +8,7 @@ use pode::{Limits, Stepper as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::stepped::Stepping;
-use crate::scenario::{MS, Plan};
+use crate::scenario::{MS, Plan, offline_limits};
 use cli::simulate::StudiedMethod;
 
 /// A compared method with its name.
@@ -144,9 +144,7 @@ impl NamedMethod {
     pub(super) fn limits(&self) -> Limits {
         match self.kind {
             MethodKind::Fixed | MethodKind::Played | MethodKind::Budgeted => Limits::default(),
-            MethodKind::Controlled => {
-                Limits { events: 1_000, guards: 1_000_000, pieces: 100_000, ..Limits::default() }
-            }
+            MethodKind::Controlled => offline_limits(),
         }
     }
 }

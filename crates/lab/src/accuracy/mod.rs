@@ -20,8 +20,8 @@ use std::time::Duration;
 
 use pode::{Stepper as _, stepper::Taylor};
 
-pub(crate) use choice::unknown_names;
 pub use choice::{LONG_RUN, StudyChoice, StudyNames, UnknownName};
+pub(crate) use choice::{is_asked_for, unknown_names};
 pub use drift::EnergyDrift;
 pub use judge::{EventMismatch, RunVerdict, SequenceVerdict};
 pub use method::{METHODS, MethodGroup, MethodKind, NamedMethod, Setting};

@@ -60,7 +60,7 @@ pub(super) fn run(args: &HardArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.json {
         print_report(&json!({ "failed": failed, "rows": rows }), out)?;
     } else {
-        tell(&rows, failed.len(), out)?;
+        print_rows(&rows, failed.len(), out)?;
         print_page(args.out.as_deref(), PAGE, out)?;
     }
     let unexplained = named(|it| it.is_unexplained());
@@ -71,7 +71,7 @@ pub(super) fn run(args: &HardArgs, out: &mut dyn Write) -> Result<(), Failure> {
     Err(Failure::Running(format!("cases fail without an explanation: {names}")))
 }
 
-fn tell(rows: &[HardRow], failed: usize, out: &mut dyn Write) -> Result<(), Failure> {
+fn print_rows(rows: &[HardRow], failed: usize, out: &mut dyn Write) -> Result<(), Failure> {
     for row in rows {
         let mark = if row.failures().is_empty() { " " } else { "✗" };
         writeln!(out, "{mark} {:42} {}", row.case.name, row.outcome())?;

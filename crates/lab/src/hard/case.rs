@@ -1,7 +1,7 @@
 //! The cases, built in: settings and references from one file, and the descriptions.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
 
 use instruments::LoadedModel;
@@ -82,9 +82,6 @@ pub enum HardFailure {
 
 pub(super) type CaseModel = Result<Arc<LoadedModel>, String>;
 
-/// Folder that no file is read from.
-const FOLDER: &str = "hard-cases";
-
 macro_rules! descriptions {
     ($($name:literal)+) => {
         /// Descriptions by file name.
@@ -111,7 +108,7 @@ pub static HARD_CASES: LazyLock<Vec<HardCase>> = LazyLock::new(|| {
 impl HardCase {
     /// Returns the model of its description, or the mistakes.
     pub(super) fn load(&self, library: &Library) -> CaseModel {
-        let path = Path::new(FOLDER).join(format!("{}.toml", self.model));
+        let path = PathBuf::from(format!("{}.toml", self.model));
         let known = DESCRIPTIONS.iter().find(|(name, _)| *name == self.model);
         library.keep_file(&path, known.map_or("", |(_, text)| text));
         library.load(&path).map_err(|mistakes| mistakes.to_string())

@@ -26,12 +26,9 @@ const fn color(verdict: HardVerdict) -> Color {
 
 /// Draws the verdicts of all steps, the longest left, and the error at the shortest.
 pub(super) fn picture(rows: &[HardRow]) -> String {
-    let mut methods: Vec<&str> = Vec::new();
-    for run in rows.iter().flat_map(|it| &it.runs) {
-        if !methods.contains(&run.method) {
-            methods.push(run.method);
-        }
-    }
+    let mut methods: Vec<&str> =
+        rows.iter().take(1).flat_map(|it| &it.runs).map(|it| it.method).collect();
+    methods.dedup();
     let topics = || rows.chunk_by(|a, b| a.case.topic == b.case.topic);
     let width = LEFT + CELL.0 * methods.len() as f64 + 24.0;
     let height = TOP + CELL.1 * rows.len() as f64 + HEADING * topics().count() as f64 + 12.0;

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::case::{HARD_CASES, HardCase, HardFailure};
 use super::run::{HardRun, HardVerdict};
-use crate::accuracy::{UnknownName, unknown_names};
+use crate::accuracy::{UnknownName, is_asked_for, unknown_names};
 
 /// Methods that a case must not defeat without a report, at its shortest step.
 const FULL: [&str; 5] = ["rk4", "dop853", "tsitouras5", "by-need", "exact"];
@@ -34,8 +34,6 @@ impl HardChoice {
         if !unknown.is_empty() {
             return Err(unknown);
         }
-        let is_asked_for =
-            |asked: &[String], name: &str| asked.is_empty() || asked.iter().any(|it| it == name);
         Ok(Self {
             cases: HARD_CASES.iter().filter(|it| is_asked_for(cases, &it.name)).collect(),
             methods: names.into_iter().filter(|it| is_asked_for(methods, it)).collect(),
@@ -81,8 +79,7 @@ impl HardRow {
 
     /// Returns the runs for which the case counts as failed.
     pub fn failures(&self) -> Vec<&HardRun> {
-        let is_failure = |it: &&HardRun| HardVerdict::Reported < it.verdict;
-        self.judged().filter(is_failure).collect()
+        self.judged().filter(|it| it.verdict.is_silent()).collect()
     }
 
     /// Returns `true` if the case failed, and its file has no explanation.

@@ -10,11 +10,8 @@ use serde::Serialize;
 
 use super::case::{CaseModel, ExpectedRun, HardCase, HardFailure};
 
-/// Angle of the fastest motion over a run (rad), of which `by-need` has a budget per radian.
+/// Angle (rad) that the fastest motion of a run is taken to turn by, for a budget per radian.
 const RADIANS: f64 = 10.0;
-
-/// Number of events in a remark.
-const SHOWN: usize = 6;
 
 /// Verdict on a run, the best first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Serialize)]
@@ -36,6 +33,11 @@ pub enum HardVerdict {
 impl HardVerdict {
     pub const ALL: [Self; 5] =
         [Self::Right, Self::Refused, Self::Reported, Self::Rough, Self::Wrong];
+
+    /// Returns `true` for an error that the run does not report.
+    pub fn is_silent(self) -> bool {
+        Self::Reported < self
+    }
 
     pub const fn title(self) -> &'static str {
         match self {
@@ -110,6 +112,8 @@ impl HardCase {
 
     /// Judges a run of a method with a budget over so many radians (0 without one).
     fn judge(&self, radians: f64, simulated: &Simulated) -> HardRun {
+        /// Number of events in a remark.
+        const SHOWN: usize = 6;
         let (expected, report) = (&self.expected, &simulated.report);
         let is_sequence = expected.is_sequence(&simulated.events) && expected.fails.is_none();
         let event_error = expected.event_error(&simulated.events).filter(|_| is_sequence);
@@ -170,10 +174,8 @@ impl ExpectedRun {
     fn value_error(&self, found: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
         let scale = self.scale.unwrap_or(1.0);
         let error = |(name, right): (&String, &f64)| {
-            let error = (found(name)? - right).abs() / right.abs().max(scale);
-            error.is_finite().then_some(error)
+            Some((found(name)? - right).abs() / right.abs().max(scale)).filter(|it| it.is_finite())
         };
-        let errors = self.r#final.iter().map(|it| error(it).unwrap_or(f64::INFINITY));
-        errors.reduce(f64::max)
+        self.r#final.iter().map(|it| error(it).unwrap_or(f64::INFINITY)).reduce(f64::max)
     }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::picture::picture;
 use super::rows::HardRow;
-use super::run::{HardRun, HardVerdict};
+use super::run::HardRun;
 use crate::report::{DiskError, Report, Table, TableCell};
 
 const HOW: &str = "Every method runs each case at four steps. Right: the events in their order, and \
@@ -72,9 +72,8 @@ fn runs() -> Table {
 fn cells(row: &HardRow, it: &HardRun) -> Vec<TableCell> {
     let [case, topic, method] =
         [&*row.case.name, &*row.case.topic, it.method].map(TableCell::words);
-    let title = it.verdict.title().to_owned();
-    let is_silent = HardVerdict::Reported < it.verdict;
-    let verdict = if is_silent { TableCell::WrongWords(title) } else { TableCell::Words(title) };
+    let cell = if it.verdict.is_silent() { TableCell::WrongWords } else { TableCell::Words };
+    let verdict = cell(it.verdict.title().to_owned());
     let derivatives = it.derivatives.map(|it| it as f64);
     let numbers = [Some(it.step), it.event_error, it.value_error, it.energy_error, derivatives];
     let first = [case, topic, method, verdict].into_iter();

@@ -6,11 +6,11 @@ use std::sync::OnceLock;
 use instruments::{Described, Playable, Visitor};
 use mechanism::Library;
 use pode::stepper::{Controlled, Dop853, Tolerance};
-use pode::{Limits, Motion, RecordedEvent, RunRecorder, Sample, Simulator};
+use pode::{Motion, RecordedEvent, RunRecorder, Sample, Simulator};
 
 use super::input::{Presses, TermInput as _};
 use super::{BadFile, ExpectedEvent, ForceKind, MS, ModeOf, Plan, Reference, Scenario};
-use super::{ReferenceSample, ScenarioVisitor, StateOf};
+use super::{ReferenceSample, ScenarioVisitor, StateOf, offline_limits};
 
 /// A press of a key to its dip: s(t) = dip (1 + tanh((t − tc)/w))/2.
 #[derive(Clone, Copy, Debug)]
@@ -75,12 +75,10 @@ impl<V: ScenarioVisitor> Visitor for OfModel<V> {
 
 impl<M: Described> DescribedScenario<M> {
     fn answered(&self) -> Reference<M> {
-        let limits =
-            Limits { events: 1_000, guards: 1_000_000, pieces: 100_000, ..Limits::default() };
         let (model, mode, state) = self.start();
         let mut run = RunRecorder::new(ROW).sampled(ROW);
         let dop853 = Controlled { method: Dop853, tolerance: Tolerance::both(1e-13) };
-        let mut simulator = Simulator::new(model, dop853, limits, mode, state);
+        let mut simulator = Simulator::new(model, dop853, offline_limits(), mode, state);
         let _outcome = simulator.run(self.stroke.until, ROW, |t| self.input(t), &mut run);
         let event =
             |it: &RecordedEvent<M>| ExpectedEvent { t: it.t, guard: it.name.to_owned(), to: it.to };

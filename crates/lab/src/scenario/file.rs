@@ -78,15 +78,8 @@ impl ReferenceCase {
     }
 
     pub(super) fn model<M: Described>(&self, model: &M) -> M {
-        let entry = model.entry();
-        let value = |index: usize, name: &str| {
-            let given = self.parameters.get(name).and_then(number);
-            given.unwrap_or_else(|| entry.default_value(index))
-        };
-        let parameters = entry.parameters.iter().enumerate();
-        let values: Vec<f64> =
-            parameters.map(|(index, parameter)| value(index, parameter.name)).collect();
-        model.with_values(&values)
+        let given = |name: &str| self.parameters.get(name).and_then(number);
+        model.with_values(&model.entry().values(given))
     }
 
     pub(super) fn input_terms(&self, file: &ReferenceFile) -> Result<Vec<[f64; 3]>, BadFile> {

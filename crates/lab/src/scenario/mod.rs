@@ -25,7 +25,7 @@ use std::sync::LazyLock;
 
 use instruments::SmallModel;
 use mechanism::Library;
-use pode::{Energetic, Model, Resets};
+use pode::{Energetic, Limits, Model, Resets};
 
 use self::described::KeyStroke;
 use self::stroke::{GrandStroke, RigidStroke, SpringsStroke};
@@ -38,6 +38,11 @@ pub(crate) const MS: f64 = 1e-3;
 
 /// Steps of a key's stroke (s): all divide 5 ms.
 const TICKS: &[f64] = &[5.0 * MS, 2.5 * MS, 1.0 * MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS];
+
+/// Limits of a tick without a deadline, for methods that choose their steps.
+pub(crate) fn offline_limits() -> Limits {
+    Limits { events: 1_000, guards: 1_000_000, pieces: 100_000, ..Limits::default() }
+}
 
 fn small(name: &str) -> Option<SmallModel> {
     Library::default().find(name, Path::new("")).ok()?.small()

@@ -17,13 +17,7 @@ pub(crate) fn shipped<I>(parameters: &Value, input: I) -> Result<Ours<SmallModel
     let found = Library::default().find(NAME, Path::new(""));
     let found = found.map_err(|error| format!("{NAME}: {}", error.rendered()))?;
     let model = found.small().ok_or_else(|| format!("{NAME} has another size"))?;
-    let entry = model.entry();
-    let value = |(index, name): (usize, &str)| {
-        number(&parameters[name]).unwrap_or_else(|| entry.default_value(index))
-    };
-    let names = entry.parameters.iter().map(|parameter| parameter.name).enumerate();
-    let values: Vec<_> = names.map(value).collect();
-    let model = model.with_values(&values);
+    let model = model.with_values(&model.entry().values(|name| number(&parameters[name])));
     let start = model.at_rest(&Motion::default());
     Ok(Ours { model, input, start })
 }

@@ -17,11 +17,7 @@ fn j_omega(frequency: f64) -> Z {
 }
 
 fn values(model: &instruments::ModelEntry, changed: &[(&str, f64)]) -> Vec<f64> {
-    let value = |(place, parameter): (usize, &instruments::Parameter)| {
-        let given = changed.iter().find(|it| it.0 == parameter.name);
-        given.map_or_else(|| model.default_value(place), |it| it.1)
-    };
-    model.parameters.iter().enumerate().map(value).collect()
+    model.values(|name| changed.iter().find(|it| it.0 == name).map(|it| it.1))
 }
 
 /// Asserts that a mode's impedance is `expected`, from 1 Hz to 1 kHz.

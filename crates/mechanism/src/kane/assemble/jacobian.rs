@@ -67,7 +67,7 @@ impl<'a> StateOfMode<'a> {
     /// Returns the Jacobian and `true`; `false` if its expressions would be too many, with the rate
     /// that depends on an entry's place as the entry.
     pub(super) fn rows(&self, graph: &mut Graph, rates: &[Node]) -> (Vec<Vec<Node>>, bool) {
-        /// Most operands of the rates times entries that move; the largest shipped model has 16,500.
+        /// Most operands of the rates times entries that move; no shipped model has as many.
         const MOST: usize = 20_000;
         let free: Vec<Node> = self.free().map(|index| rates[index]).collect();
         let mut operands = 0;
