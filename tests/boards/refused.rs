@@ -101,21 +101,26 @@ fn a_loop_that_is_too_late_for_its_instrument() {
     let _machine = machine();
     let folder = letoff::folder("refused-late");
     with_time("the refusal of a loop that is too late", |watch| {
-        let boards = Boards::watched(watch, &folder, 1, &["--late", "3"]);
-        let links = boards.links();
-        let run = ["run", "--json", "--performance", "none", "--duration", "1"].into_iter();
-        let grand: Vec<_> = run.chain(links.iter().map(String::as_str)).collect();
-        let said = run_watched(watch, &folder, &grand);
-        assert_eq!(said.code, Some(1), "{said:?}");
+        let play = |instrument: &[&str]| {
+            let boards = Boards::watched(watch, &folder, 1, &["--late", "3"]);
+            let links = boards.links();
+            let run = ["run", "--json", "--performance", "none", "--duration", "1"];
+            let links = links.iter().map(String::as_str);
+            let all: Vec<_> =
+                run.into_iter().chain(links).chain(instrument.iter().copied()).collect();
+            let said = run_watched(watch, &folder, &all);
+            (said, boards.stop()[0]["counts"]["armings"].as_u64().unwrap_or_default())
+        };
+        let (said, armings) = play(&[]);
+        assert_eq!((said.code, armings), (Some(1), 0), "{said:?}");
         letoff::check_words(&said, &["with the delay of these links", "with grand", "ms of delay"]);
         // 3 ms in each direction, and half a tick in which samples wait.
         let delay = said.err.split("1000 Hz and ").nth(1).and_then(|it| it.split(' ').next());
         assert!(delay.and_then(|it| it.parse().ok()).is_some_and(|ms: f64| 6.5 <= ms), "{said:?}");
-        // An instrument that bears the delay is accepted on the same boards.
-        let spring = [grand.as_slice(), &["--set", "keys.0.instrument=spring"]];
-        let said = run_watched(watch, &folder, &spring.concat());
+        // An instrument that bears the delay is accepted. Several short waits for a processor
+        // can add up to an expiry, after which the board is armed again.
+        let (said, armings) = play(&["--set", "keys.0.instrument=spring"]);
         assert_eq!(said.code, Some(0), "{said:?}");
-        let told = boards.stop();
-        assert_eq!(told[0]["counts"]["armings"], 1, "{told:?}");
+        assert!(0 < armings);
     });
 }
