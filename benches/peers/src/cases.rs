@@ -1,11 +1,10 @@
 //! The problems, each with its reference and its entries.
 
-use pode::series::{INPUT_TERMS, add_bell};
 use pode::{Motion, Resets};
 
 use crate::entry::Entry;
 use crate::peers;
-use crate::peers::{Driven, Ours, Written, shipped};
+use crate::peers::{Ours, Written, shipped};
 use crate::problem::Problem;
 use crate::problems::{Ball, Block, BlockMode, Cradle};
 use crate::reference::{self, ModelBCase, Reference};
@@ -57,43 +56,25 @@ fn ball() -> Case {
     }
 }
 
-/// The stroke of model B: height (rad), time (s) and 1/width (1/s) of each bell.
+/// Returns the stroke of model B: height (rad), time (s) and 1/width (1/s) of each bell.
 ///
 /// Only the position: where b1 is zero nothing else of the input enters, and the peers compute
-/// nothing else. Peers with a series of their own derive the same one from the formula.
-#[derive(Clone, Copy)]
-struct Bells([[f64; 3]; 3]);
-
-impl Driven<Motion> for Bells {
-    #[inline]
-    fn at(&self, t: f64) -> Motion {
-        let position = self.0.iter().fold(0.0, |sum, [a, tc, per_w]| {
+/// nothing else.
+fn stroke(bells: [[f64; 3]; 3]) -> impl Fn(f64) -> Motion + Clone {
+    move |t| {
+        let position = bells.iter().fold(0.0, |sum, [a, tc, per_w]| {
             let z = (t - tc) * per_w;
             sum + a * (-z * z).exp()
         });
         Motion { position, ..Motion::default() }
     }
-
-    #[inline]
-    fn series(&self, t: f64, dt: f64, out: &mut [Motion]) -> bool {
-        let mut terms = [0.0; INPUT_TERMS];
-        let count = out.len().min(INPUT_TERMS);
-        for [a, tc, per_w] in self.0 {
-            add_bell(&mut terms[..count], a, (t - tc) * per_w, dt * per_w);
-        }
-        for (out, position) in out.iter_mut().zip(terms) {
-            *out = Motion { position, ..Motion::default() };
-        }
-        true
-    }
 }
 
 fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case, String> {
     let ModelBCase { problem, parameters, t_end, reference } = reference::model_b(file)?;
-    let ours = shipped(&parameters, Bells(problem.bells))?;
+    let ours = shipped(&parameters, stroke(problem.bells))?;
     let mut entries = peers::entries::<4, 2, 5, _>(problem, t_end);
     entries.extend(peers::ours(&ours, t_end));
-    entries.extend(peers::expanded(&ours, t_end));
     Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })
 }
 

@@ -68,7 +68,6 @@ mod watch;
 
 pub mod input;
 pub mod math;
-pub mod series;
 pub mod stepper;
 
 pub use audit::{Auditor, Energetic, EnergyAudit, EnergyBalance};

@@ -6,7 +6,6 @@ use crate::enclosure::{Enclosure, GuardBound};
 use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::nature::Nature;
 use crate::part::Part;
-use crate::series::{Expansion, INPUT_TERMS};
 use crate::state::State;
 use crate::stepper::{differences, unit_differences};
 
@@ -85,20 +84,6 @@ pub trait Guarded: Model {
     #[inline]
     fn longest_step_at(&self, mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
         self.nature(mode).longest_step
-    }
-
-    /// Expands the motion of `mode` as a power series in time, and its guards along it. `out` gives
-    /// the start state, the order and the unit of time; `input` has the coefficients of the input
-    /// in the same unit, three more than requested. Returns `false`
-    /// where the model has no series: [`Taylor`](crate::stepper::Taylor) then steps otherwise.
-    #[inline]
-    fn series(
-        &self,
-        _mode: Self::Mode,
-        _input: &[Self::Input; INPUT_TERMS],
-        _out: &mut Expansion<Self::State>,
-    ) -> bool {
-        false
     }
 
     /// The guards of `mode`, at most [`MAX_GUARDS`](crate::MAX_GUARDS), in any order.

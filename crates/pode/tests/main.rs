@@ -50,6 +50,5 @@ mod sliding_control;
 mod sliding_families;
 mod sliding_methods;
 mod stability;
-mod taylor;
 mod undeclared;
 mod zeno;

@@ -4,20 +4,17 @@
 //! much again per impact. Together less than (ω h)⁴ t / 30; below that, the rounding of some 1e5
 //! steps, 1e-12 of the time.
 
-use pode::series::{Expansion, INPUT_TERMS};
 use pode::stepper::Rk4;
 use pode::{
     GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Settling, Simulator,
 };
 
 use crate::common::{G, all_completed, close, each_step_and_phase, run};
-use crate::taylor::expand;
 
 /// Angle (rad) and its rate; ω0² = 9.81 1/s², e = 0.9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum {
     pub has_wall: bool,
-    pub has_series: bool,
 }
 
 /// Number of an impact and its time (s), from 40-digit arithmetic.
@@ -42,13 +39,6 @@ impl Model for Pendulum {
 }
 
 impl Guarded for Pendulum {
-    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 2]>) -> bool {
-        if self.has_series {
-            expand(out);
-        }
-        self.has_series
-    }
-
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
         if self.has_wall { const { &[GuardSpec::new(0, "wall")] } } else { &[] }
     }
@@ -75,7 +65,7 @@ impl Resets for Pendulum {
 }
 
 fn from_rest() -> Simulator<Pendulum, Rk4> {
-    let pendulum = Pendulum { has_wall: true, has_series: false };
+    let pendulum = Pendulum { has_wall: true };
     Simulator::new(pendulum, Rk4, Limits::default(), (), [1.2, 0.0])
 }
 

@@ -7,7 +7,7 @@ mod ode_solvers;
 mod ours;
 
 pub(crate) use diffsol::entries as diffsol;
-pub(crate) use ours::{Driven, Ours, Written, entries as ours, expanded, shipped};
+pub(crate) use ours::{Ours, Written, entries as ours, shipped};
 
 use crate::entry::Entry;
 use crate::problem::Problem;

@@ -10,7 +10,6 @@ use pode::{Limits, State as _};
 use super::args::SimulateArgs;
 use super::error::SimulateMistake;
 use super::input::InputSignal;
-use crate::simulate::studied_method::StudiedMethod;
 
 /// Maximum ticks: a day's work at least, so more is a slip of the exponent.
 const MOST_TICKS: f64 = 1e11;
@@ -23,20 +22,19 @@ const LAST_KEY: u8 = 87;
 const USUAL_TICK: f64 = 1e-3;
 
 /// Returns the method with its tolerance; RK4 after a mistake.
-fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> StudiedMethod {
-    let Some(method) = StudiedMethod::named(&args.method) else {
-        let known: Vec<_> = StudiedMethod::names().collect();
-        mistakes.push(SimulateMistake::unknown("method", &args.method, &known));
-        return StudiedMethod::default();
+fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> Any {
+    let Some(method) = Any::named(&args.method) else {
+        mistakes.push(SimulateMistake::unknown("method", &args.method, Any::NAMES));
+        return Any::default();
     };
     // `by-need` has a budget even without a tolerance.
-    let is_by_need = matches!(method, StudiedMethod::OneOfMany(Any::ByNeed(_)));
+    let is_by_need = matches!(method, Any::ByNeed(_));
     let by_default = is_by_need.then_some(ByNeed::BUDGET);
     let Some(tolerance) = args.tolerance.or(by_default) else { return method };
     method.with_tolerance(tolerance, USUAL_TICK).unwrap_or_else(|| {
         mistakes.push(SimulateMistake::NoTolerance {
             method: args.method.clone(),
-            known: StudiedMethod::tolerant().collect(),
+            known: Any::TOLERANT.to_vec(),
         });
         method
     })
@@ -52,7 +50,7 @@ pub(super) struct TickClock {
     pub(super) ticks: u64,
     /// Number of the first tick, which starts at 0 s.
     pub(super) first: u64,
-    pub(super) method: StudiedMethod,
+    pub(super) method: Any,
     pub(super) limits: Limits,
 }
 

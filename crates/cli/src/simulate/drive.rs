@@ -5,7 +5,7 @@ use pode::stepper::{Any, ByNeed, Choice};
 use pode::{
     Advance, Cap, EnergyAudit, Event, EventCause, Motion, Nature, Piece, Signal, Simulator,
 };
-use pode::{State as _, Stepper, Tick, Watch};
+use pode::{State as _, Tick, Watch};
 
 use super::check::{Start, TickClock};
 use super::error::SimulateError;
@@ -13,7 +13,6 @@ use super::input::{InputSignal, is_finite};
 use super::mode::mode_name;
 use super::output::OutputFiles;
 use super::summary::{Capped, GuardLeap, RunCounts, RunFailure, RunMoves, SimulationReport};
-use crate::simulate::studied_method::{MethodVisitor, StudiedMethod};
 
 /// Runs a model with the method of the clock, and reports the choices of `by-need`.
 pub(super) fn run<M: Playable>(
@@ -22,8 +21,8 @@ pub(super) fn run<M: Playable>(
     files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
     let TickClock { method, step, .. } = *plan.0;
-    let report = method.visit(Driving { start, plan, files })?;
-    Ok(if let StudiedMethod::OneOfMany(Any::ByNeed(by_need)) = method {
+    let report = drive(start, plan, files)?;
+    Ok(if let Any::ByNeed(by_need) = method {
         let mut all = choices(&by_need, &start.model, step);
         for (name, choice) in &report.choices {
             match all.iter_mut().find(|it| it.0 == *name) {
@@ -38,7 +37,7 @@ pub(super) fn run<M: Playable>(
 }
 
 /// Returns modes with equations that `method` delegates to another, by its name.
-fn handed_on<M: Playable>(method: &StudiedMethod, model: &M) -> Vec<(&'static str, &'static str)> {
+fn handed_on<M: Playable>(method: &Any, model: &M) -> Vec<(&'static str, &'static str)> {
     let moves = model.modes().filter(|(mode, _)| !model.parts(*mode).is_empty());
     let taken = moves.map(|(mode, name)| (name, method.name_in(&model.nature(mode))));
     taken.filter(|(_, taken)| *taken != method.name()).collect()
@@ -54,24 +53,9 @@ fn chosen(by_need: &ByNeed, nature: &Nature, step: f64) -> Choice {
     Choice { step: choice.step.min(step), ..choice }
 }
 
-struct Driving<'a, M: Playable> {
-    start: &'a Start<M>,
-    plan: (&'a TickClock, &'a InputSignal),
-    files: &'a mut OutputFiles,
-}
-
-impl<M: Playable> MethodVisitor for Driving<'_, M> {
-    type Output = Result<SimulationReport, SimulateError>;
-
-    fn visit<T: Stepper>(self, stepper: T) -> Self::Output {
-        drive(self.start, stepper, self.plan, self.files)
-    }
-}
-
 /// Advances a model from 0 to the clock's end, or to its first fault.
-fn drive<M: Playable, T: Stepper>(
+fn drive<M: Playable>(
     start: &Start<M>,
-    stepper: T,
     (clock, input): (&TickClock, &InputSignal),
     files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
@@ -91,7 +75,7 @@ fn drive<M: Playable, T: Stepper>(
         taken: Vec::new(),
     };
     let mut tally = RunTally::default();
-    let simulator = Simulator::new(model, stepper, clock.limits, mode, state);
+    let simulator = Simulator::new(model, clock.method, clock.limits, mode, state);
     let mut simulator = simulator.with_tick(clock.first);
     if start.model.entry().input.is_empty() {
         simulator = simulator.without_readout();
@@ -140,11 +124,6 @@ impl Signal<Motion> for TickSignal<'_> {
         let [from, to] = [from, to].map(|theta| self.clock.time(self.tick, theta));
         self.input.bound(from, to)
     }
-
-    fn series(&self, theta: f64, span: f64, out: &mut [Motion]) -> bool {
-        let [from, to] = [theta, theta + span].map(|theta| self.clock.time(self.tick, theta));
-        self.input.series(from, to - from, out)
-    }
 }
 
 /// Returns `true` if the input was finite where a tick failed.
@@ -174,7 +153,7 @@ struct Follower<'a, M: Described> {
 
 impl<M: Described> Follower<'_, M> {
     fn note_choice<S: Signal<Motion>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
-        let StudiedMethod::OneOfMany(Any::ByNeed(by_need)) = self.clock.method else { return };
+        let Any::ByNeed(by_need) = self.clock.method else { return };
         let nature = model.nature(piece.mode);
         let own = model.longest_step_at(piece.mode, &piece.start, &piece.inputs[0]);
         let choice = chosen(&by_need, &nature.faster(nature.excess(own)), self.clock.step);

@@ -12,7 +12,6 @@ mod input;
 mod mode;
 mod output;
 mod plot;
-mod studied_method;
 mod summary;
 #[cfg(test)]
 mod tests;
@@ -31,7 +30,6 @@ pub use self::input::InputTable;
 use self::input::{HeldInput, InputSignal};
 use self::output::OutputFiles;
 pub use self::output::TimedEvent;
-pub use self::studied_method::{MethodVisitor, StudiedMethod};
 pub use self::summary::MOST_ENERGY_ERROR;
 use self::summary::SimulationReport;
 

@@ -1,6 +1,5 @@
 //! The guards of a mode, and their resets.
 
-use pode::series::{Expansion, INPUT_TERMS};
 use pode::{
     Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model as _, Motion, Reset,
     Resets,
@@ -39,15 +38,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationM
         } else {
             longest
         }
-    }
-
-    fn series(
-        &self,
-        mode: ModeNumber,
-        input: &[Motion; INPUT_TERMS],
-        out: &mut Expansion<[f64; N]>,
-    ) -> bool {
-        self.mode_table(mode).series.is_some_and(|table| self.expand(&table, input, out))
     }
 
     #[inline]

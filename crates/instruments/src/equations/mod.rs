@@ -29,7 +29,6 @@ mod rates;
 mod relax;
 mod rest;
 mod rows;
-mod series;
 mod softplus;
 mod structure;
 mod structure_balance;

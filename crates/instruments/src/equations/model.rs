@@ -110,10 +110,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         self.constants.get(..self.table().parameters.len()).unwrap_or(&self.constants)
     }
 
-    pub(crate) const fn constants(&self) -> &[f64] {
-        &self.constants
-    }
-
     pub(crate) const fn natures(&self) -> &ModeNatures {
         &self.natures
     }

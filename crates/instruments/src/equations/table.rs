@@ -216,7 +216,6 @@ pub struct ModeTable {
     /// Computes the Jacobian of the derivative by the state, row by row; `None` for a large mode,
     /// whose derivative is differenced instead.
     pub jacobian: Option<FunctionId>,
-    pub series: Option<SeriesTable>,
     /// Kind of the equations; their fastest rate comes from the Jacobian at the rest pose.
     pub kind: EquationKind,
     /// Computes from the constants a number that is 0 if these values lose nothing: the mode is
@@ -284,7 +283,6 @@ impl ModeTable {
             averaged: None,
         },
         jacobian: Some(Self::NO_FUNCTION),
-        series: None,
         kind: EquationKind::Smooth,
         loss: None,
         is_stiffening: false,
@@ -293,31 +291,6 @@ impl ModeTable {
         contacts: Vec::new(),
         freedom: Freedom { n: 0, m: 0, p: 0 },
     };
-}
-
-/// The Taylor series of a mode: two functions, and the count of numbers between them.
-///
-/// A lane is a pair of factors with summed products; the functions return factors and use sums.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct SeriesTable {
-    /// Computes the outputs at the start of the series, then the numbers carried to the steps.
-    ///
-    /// The outputs are the derivative of the entries that move by equations, then slaved entries,
-    /// guards and conditions.
-    pub start: FunctionId,
-    /// Computes from the coefficients of order k of state and input, and in `extra` k, 1/k, the
-    /// carried numbers and the lanes' sums: the outputs' coefficients of order k, the first factors
-    /// of all lanes, and the second ones.
-    pub step: FunctionId,
-    /// Entries of the state that move by equations, as bits.
-    pub entries: u64,
-    /// Number of guards with a series, the first of the mode's list.
-    pub guards: usize,
-    /// Number of values at whose zeros the equations change their form.
-    pub conditions: usize,
-    pub lanes: usize,
-    /// Count of numbers carried from the start to the steps.
-    pub carried: usize,
 }
 
 /// Coordinates n, constraints m and independent speeds p = n − m of a mode. `[GC93]` table 1.

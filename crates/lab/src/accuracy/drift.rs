@@ -1,13 +1,13 @@
 //! Error of the energy over a long run without loss, against time.
 
-use pode::{Advance, Energetic as _, Stepper};
+use pode::stepper::Any;
+use pode::{Advance, Energetic as _};
 use serde::{Deserialize, Serialize};
 
 use super::job::RunJob;
 use super::method::{self, NamedMethod};
 use super::stepped::Stepped;
 use crate::scenario::{Scenario, ScenarioVisitor};
-use cli::simulate::MethodVisitor;
 
 /// Largest error of the energy of a long run until each of several times.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -30,34 +30,22 @@ impl ScenarioVisitor for DriftRun {
     type Output = Vec<(f64, f64)>;
 
     fn visit<S: Scenario + 'static>(self, scenario: S) -> Vec<(f64, f64)> {
-        let stepper = self.method.stepper(&self.method.long_run());
-        stepper.visit(DriftOfStepper { scenario, run: self })
-    }
-}
-
-struct DriftOfStepper<S> {
-    scenario: S,
-    run: DriftRun,
-}
-
-impl<S: Scenario> MethodVisitor for DriftOfStepper<S> {
-    type Output = Vec<(f64, f64)>;
-
-    fn visit<T: Stepper>(self, stepper: T) -> Vec<(f64, f64)> {
         /// Error that ends a run: the motion has lost its size.
         const LOST: f64 = 1e3;
         /// Ratio of the times of two points.
         const RATIO: f64 = 1.2;
-        let Self { scenario, run: DriftRun { method, until } } = &self;
-        let (limits, stepping) = (method.limits(), method.stepping());
-        let job = RunJob { scenario, stepper, limits, stepping, tick: method.long_run().tick };
+        let Self { method, until } = self;
+        let setting = method.long_run();
+        let (stepper, limits) = (method.stepper(&setting), method.limits());
+        let (scenario, stepping, tick) = (&scenario, method.stepping(), setting.tick);
+        let job = RunJob { scenario, stepper, limits, stepping, tick };
         let mut simulator = job.simulator();
         let (mut points, mut error, mut next, mut t) = (Vec::new(), 0.0_f64, 0.0, 0.0);
-        let energy = |it: &pode::Simulator<Stepped<S::Model>, T>, t: f64| {
+        let energy = |it: &pode::Simulator<Stepped<S::Model>, Any>, t: f64| {
             it.model().energy(it.mode(), it.state(), &scenario.input(t))
         };
         let start = energy(&simulator, t);
-        while t < *until && error < LOST {
+        while t < until && error < LOST {
             if job.advance_alone(&mut simulator).advance != Advance::Completed {
                 break;
             }

@@ -59,8 +59,4 @@ impl<S: Scenario> Signal<InputOf<S>> for ScenarioSignal<'_, S> {
     fn at(&self, theta: f64) -> InputOf<S> {
         self.scenario.input((self.start + theta) * self.h)
     }
-
-    fn series(&self, theta: f64, span: f64, out: &mut [InputOf<S>]) -> bool {
-        self.scenario.input_series(((self.start + theta) * self.h, span * self.h), out)
-    }
 }

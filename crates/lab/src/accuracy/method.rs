@@ -2,14 +2,13 @@
 
 use std::sync::LazyLock;
 
-use pode::stepper::{Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Rk4, Rodas3, Taylor};
+use pode::stepper::{Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Rk4, Rodas3, Tsitouras5};
 use pode::{Limits, Stepper as _};
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use super::stepped::Stepping;
 use crate::scenario::{MS, Plan, offline_limits};
-use cli::simulate::StudiedMethod;
 
 /// A compared method with its name.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -19,7 +18,7 @@ pub struct NamedMethod {
     pub order: u32,
     pub kind: MethodKind,
     pub group: MethodGroup,
-    stepper: StudiedMethod,
+    stepper: Any,
 }
 
 /// Source of a method's steps.
@@ -48,7 +47,7 @@ pub enum MethodGroup {
 impl MethodGroup {
     fn of(method: &str) -> Self {
         match method {
-            Dop853::NAME | Taylor::NAME => Self::LongStep,
+            Dop853::NAME => Self::LongStep,
             LinearImplicitMidpoint::NAME | Rodas3::NAME => Self::Implicit,
             ByNeed::NAME | Exact::NAME => Self::Chosen,
             _ => Self::Explicit,
@@ -76,7 +75,7 @@ const LONGEST_BUDGETED: f64 = 1e-3;
 
 /// Every compared method by group, and RK4 as instruments use it.
 pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
-    let all = StudiedMethod::names().filter_map(StudiedMethod::named).map(NamedMethod::of);
+    let all = Any::NAMES.iter().filter_map(|name| Any::named(name)).map(NamedMethod::of);
     let mut methods: Vec<_> = all.collect();
     methods.sort_by_key(|method| method.group);
     methods.push(NamedMethod {
@@ -84,17 +83,25 @@ pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
         order: Rk4::ORDER,
         kind: MethodKind::Played,
         group: MethodGroup::Played,
-        stepper: StudiedMethod::OneOfMany(Any::Rk4(Rk4)),
+        stepper: Any::Rk4(Rk4),
     });
     methods
 });
 
+/// A method beside DOP853, whose difference from it limits what a computed reference shows.
+pub(super) static OTHER_METHOD: NamedMethod = NamedMethod {
+    name: "tsitouras5-adaptive",
+    order: Tsitouras5::ORDER,
+    kind: MethodKind::Controlled,
+    group: MethodGroup::LongStep,
+    stepper: Any::Tsitouras5(Tsitouras5),
+};
+
 impl NamedMethod {
-    fn of(stepper: StudiedMethod) -> Self {
+    fn of(stepper: Any) -> Self {
         let (name, kind) = match stepper.name() {
             ByNeed::NAME => (ByNeed::NAME, MethodKind::Budgeted),
             Dop853::NAME => ("dop853-adaptive", MethodKind::Controlled),
-            Taylor::NAME => (Taylor::NAME, MethodKind::Controlled),
             name => (name, MethodKind::Fixed),
         };
         let group = MethodGroup::of(stepper.name());
@@ -129,7 +136,7 @@ impl NamedMethod {
         }
     }
 
-    pub(super) fn stepper(&self, setting: &Setting) -> StudiedMethod {
+    pub(super) fn stepper(&self, setting: &Setting) -> Any {
         let precise = |tolerance| self.stepper.with_tolerance(tolerance, setting.tick);
         setting.tolerance.and_then(precise).unwrap_or(self.stepper)
     }

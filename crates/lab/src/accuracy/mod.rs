@@ -18,8 +18,6 @@ mod time;
 
 use std::time::Duration;
 
-use pode::{Stepper as _, stepper::Taylor};
-
 pub use choice::{LONG_RUN, StudyChoice, StudyNames, UnknownName};
 pub(crate) use choice::{is_asked_for, unknown_names};
 pub use drift::EnergyDrift;
@@ -29,6 +27,7 @@ pub use order::{ObservedOrder, observed_orders};
 pub use row::{EvaluationCounts, StudyRow, Times};
 
 use self::drift::DriftRun;
+use self::method::OTHER_METHOD;
 use self::study::Study;
 use crate::scenario::{BadFile, Plan, SCENARIOS, ScenarioEntry};
 
@@ -86,17 +85,16 @@ pub fn measure(
 }
 
 /// Returns the least errors of event times (s), and of states and force, that a computed reference
-/// can show: 100 times those of a Taylor series.
+/// can show: 100 times those of a method of another family.
 fn least_errors(study: &dyn Study, plan: &Plan) -> [f64; 2] {
     const MARGIN: f64 = 100.0;
     let setting = Setting { tick: plan.offline_tick, tolerance: Some(1e-13) };
-    let taylor = METHODS.iter().find(|method| method.name == Taylor::NAME);
-    let verdict = taylor.map(|method| study.run(method, setting, Effort::QUICK).verdict);
-    let verdict = verdict.filter(|it| it.sequence.is_right());
-    verdict.map_or([f64::MAX; 2], |it| {
-        let states = it.state_error.unwrap_or(0.0).max(it.force_error.unwrap_or(0.0));
-        [MARGIN * it.event_error.unwrap_or(0.0), MARGIN * states]
-    })
+    let verdict = study.run(&OTHER_METHOD, setting, Effort::QUICK).verdict;
+    if !verdict.sequence.is_right() {
+        return [f64::MAX; 2];
+    }
+    let states = verdict.state_error.unwrap_or(0.0).max(verdict.force_error.unwrap_or(0.0));
+    [MARGIN * verdict.event_error.unwrap_or(0.0), MARGIN * states]
 }
 
 /// Runs the methods in the share chosen for long on a lossless motion; calls `after` with each.

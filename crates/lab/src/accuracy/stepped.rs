@@ -3,7 +3,6 @@
 //! A model's own longest step cuts ticks: a study of 5 ms would really be one of 1 ms. All other
 //! methods of the traits are forwarded, also those with a default.
 
-use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
 use pode::{Energetic, Part, Reset, Resets, Settling, State};
 
@@ -89,15 +88,6 @@ impl<M: Guarded> Guarded for Stepped<M> {
             Stepping::Ticks => f64::INFINITY,
             Stepping::Models => self.model.longest_step_at(mode, x, input),
         }
-    }
-
-    fn series(
-        &self,
-        mode: M::Mode,
-        input: &[M::Input; INPUT_TERMS],
-        out: &mut Expansion<M::State>,
-    ) -> bool {
-        self.model.series(mode, input, out)
     }
 
     #[inline]

@@ -4,8 +4,6 @@ use super::method::{NamedMethod, Setting};
 use super::row::{EvaluationCounts, StudyRow};
 use super::{Effort, job::RunJob, judge::judge, observe::observe, time::time};
 use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
-use cli::simulate::MethodVisitor;
-use pode::Stepper;
 
 pub(super) trait Study {
     fn plan(&self) -> Plan;
@@ -35,26 +33,9 @@ impl<S: Scenario> Study for S {
 
     /// Runs as the host does, with one type for all methods, so that less code is compiled.
     fn run(&self, method: &'static NamedMethod, setting: Setting, effort: Effort) -> StudyRow {
-        let run = StudyRun { scenario: self, method, setting, effort };
-        method.stepper(&setting).visit(run)
-    }
-}
-
-struct StudyRun<'a, S> {
-    scenario: &'a S,
-    method: &'static NamedMethod,
-    setting: Setting,
-    effort: Effort,
-}
-
-impl<S: Scenario> MethodVisitor for StudyRun<'_, S> {
-    type Output = StudyRow;
-
-    fn visit<T: Stepper>(self, stepper: T) -> StudyRow {
-        let Self { scenario, method, setting, effort } = self;
         let job = RunJob {
-            scenario,
-            stepper,
+            scenario: self,
+            stepper: method.stepper(&setting),
             limits: method.limits(),
             stepping: method.stepping(),
             tick: setting.tick,
@@ -66,7 +47,7 @@ impl<S: Scenario> MethodVisitor for StudyRun<'_, S> {
             scenario: String::new(),
             method,
             setting,
-            verdict: judge(scenario.reference(), &observed),
+            verdict: judge(self.reference(), &observed),
             counts: EvaluationCounts::new::<S>(&observed.work, setting.tick),
             times,
             energy_residual: Some(observed.residual).filter(|it| it.is_finite()),

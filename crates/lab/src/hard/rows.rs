@@ -1,8 +1,8 @@
 //! All runs of the chosen cases and methods.
 
-use cli::simulate::StudiedMethod;
 use figures::parallel::in_parallel;
 use mechanism::Library;
+use pode::stepper::Any;
 use serde::Serialize;
 
 use super::case::{HARD_CASES, HardCase, HardFailure};
@@ -28,15 +28,14 @@ impl HardChoice {
     /// Chooses the cases and methods with these names; an empty list chooses all.
     pub fn new(cases: &[String], methods: &[String]) -> Result<Self, Vec<UnknownName>> {
         let known: Vec<_> = HARD_CASES.iter().map(|it| it.name.as_str()).collect();
-        let names: Vec<_> = StudiedMethod::names().collect();
         let mut unknown = unknown_names("case", cases, &known);
-        unknown.extend(unknown_names("method", methods, &names));
+        unknown.extend(unknown_names("method", methods, Any::NAMES));
         if !unknown.is_empty() {
             return Err(unknown);
         }
         Ok(Self {
             cases: HARD_CASES.iter().filter(|it| is_asked_for(cases, &it.name)).collect(),
-            methods: names.into_iter().filter(|it| is_asked_for(methods, it)).collect(),
+            methods: Any::NAMES.iter().copied().filter(|it| is_asked_for(methods, it)).collect(),
             stride: 1,
         })
     }
@@ -45,7 +44,7 @@ impl HardChoice {
     #[must_use]
     pub fn quick(mut self) -> Self {
         self.cases.retain(|it| !it.is_long);
-        if self.methods.len() == StudiedMethod::names().count() {
+        if self.methods.len() == Any::NAMES.len() {
             self.methods.retain(|it| QUICK.contains(it));
         }
         Self { stride: 2, ..self }

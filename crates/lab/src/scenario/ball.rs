@@ -123,11 +123,6 @@ impl Scenario for BallScenario {
         Motion::default()
     }
 
-    fn input_series(&self, _time: (f64, f64), out: &mut [Motion]) -> bool {
-        out.fill(Motion::default());
-        true
-    }
-
     fn reference(&self) -> &Reference<SmallModel> {
         &self.reference
     }

@@ -121,10 +121,6 @@ impl<M: Described> Scenario for DescribedScenario<M> {
         self.input.at(t)
     }
 
-    fn input_series(&self, time: (f64, f64), out: &mut [Motion]) -> bool {
-        self.input.write_series(time, out)
-    }
-
     fn reference(&self) -> &Reference<M> {
         self.reference.get_or_init(|| self.answered())
     }

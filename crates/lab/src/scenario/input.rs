@@ -1,7 +1,6 @@
 //! Strokes as functions of time, exact with their derivatives.
 
 use pode::Motion;
-use pode::series::{INPUT_TERMS, add_bell};
 
 /// An input that is a sum of terms with size, time and width.
 pub(super) trait TermInput: Copy {
@@ -10,20 +9,6 @@ pub(super) trait TermInput: Copy {
 
     /// Returns the input at `t` (s).
     fn at(&self, t: f64) -> Motion;
-
-    /// Adds to `terms` the coefficients of the input at t + dt τ (s) by power of τ.
-    fn add_series(&self, time: (f64, f64), terms: &mut [f64]);
-
-    /// Writes the coefficients of the input at t + dt τ (s); `false` if there are too many.
-    fn write_series(&self, time: (f64, f64), out: &mut [Motion]) -> bool {
-        let mut terms = [0.0; INPUT_TERMS];
-        let terms = terms.get_mut(..out.len()).unwrap_or_default();
-        self.add_series(time, terms);
-        for (out, position) in out.iter_mut().zip(&*terms) {
-            *out = Motion { position: *position, ..Motion::default() };
-        }
-        out.len() == terms.len()
-    }
 }
 
 /// Returns A, tc (s) and 1/w (1/s) of each term.
@@ -53,12 +38,6 @@ impl<const N: usize> TermInput for Bells<N> {
             motion.jerk += bell * (12.0 * z - 8.0 * z * z * z) * per_w * per_w * per_w;
         }
         motion
-    }
-
-    fn add_series(&self, (t, dt): (f64, f64), terms: &mut [f64]) {
-        for [a, tc, per_w] in self.0 {
-            add_bell(terms, a, (t - tc) * per_w, dt * per_w);
-        }
     }
 }
 
@@ -91,24 +70,6 @@ impl<const N: usize> TermInput for Presses<N> {
         }
         motion
     }
-
-    /// With y = tanh z each coefficient of y needs one of 1 − y² before it.
-    fn add_series(&self, (t, dt): (f64, f64), terms: &mut [f64]) {
-        for [a, tc, per_w] in self.0 {
-            let mut tanh = vec![((t - tc) * per_w).tanh()];
-            for k in 1..terms.len() {
-                let square: f64 = tanh.iter().zip(tanh.iter().rev()).map(|(x, y)| x * y).sum();
-                let slope = f64::from(u8::from(k == 1)) - square;
-                tanh.push(dt * per_w * slope / k as f64);
-            }
-            if let Some(first) = terms.first_mut() {
-                *first += 0.5 * a;
-            }
-            for (term, tanh) in terms.iter_mut().zip(tanh) {
-                *term += 0.5 * a * tanh;
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -138,25 +99,6 @@ mod tests {
     fn an_input_has_its_stated_rates() {
         check(Bells::<2>::of(&TERMS).unwrap());
         check(Presses::<2>::of(&TERMS).unwrap());
-    }
-
-    #[track_caller]
-    fn check_series(input: impl TermInput) {
-        for t in [0.1, 0.35, 0.5, 0.78] {
-            let mut terms = [0.0; 27];
-            input.add_series((t, 0.02), &mut terms);
-            for tau in [0.0, 0.4, 1.0] {
-                let found = terms.iter().rev().fold(0.0, |sum, term| term + tau * sum);
-                let expected = input.at(t + 0.02 * tau).position;
-                assert!((found - expected).abs() < 1e-14, "{t}, {tau}: {found}, {expected}");
-            }
-        }
-    }
-
-    #[test]
-    fn an_input_is_its_series() {
-        check_series(Bells::<2>::of(&TERMS).unwrap());
-        check_series(Presses::<2>::of(&TERMS).unwrap());
     }
 
     #[test]

@@ -75,10 +75,6 @@ impl<I: TermInput> Scenario for StrokeScenario<I> {
         self.input.at(t)
     }
 
-    fn input_series(&self, time: (f64, f64), out: &mut [Motion]) -> bool {
-        self.input.write_series(time, out)
-    }
-
     fn reference(&self) -> &Reference<SmallModel> {
         &self.reference
     }

@@ -5,4 +5,3 @@
 
 pub mod graph;
 pub mod tape;
-pub mod taylor;

@@ -19,6 +19,6 @@ pub mod readable;
 mod rest_check;
 pub mod system;
 
-pub use crate::expressions::{graph, tape, taylor};
+pub use crate::expressions::{graph, tape};
 pub use crate::formulas as text;
 pub use program::{DerivedModel, derive_model, derive_unless_cancelled};

@@ -3,4 +3,3 @@
 pub(crate) mod common;
 mod graph;
 mod tape;
-mod taylor;

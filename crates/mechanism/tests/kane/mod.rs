@@ -29,7 +29,6 @@ mod resting;
 mod rigid;
 mod rigid_together;
 mod runnable;
-mod series;
 mod shipped;
 mod sounding;
 mod stated;

@@ -3,7 +3,6 @@
 use instruments::equations::table::{Arguments, Functions as _};
 use mechanism::expressions::graph::Graph;
 use mechanism::expressions::tape::{self, Instruction, Tape, TapeSlot};
-use mechanism::expressions::taylor::Recursion;
 use mechanism::native::{MAX_INSTRUCTIONS, NativeError, compile, compile_unless_cancelled};
 use proptest::prelude::*;
 
@@ -65,14 +64,6 @@ fn check_model(tapes: &[Tape], extra: impl Fn(f64) -> Vec<f64>) {
 #[test]
 fn a_whole_model_gives_the_tapes_bits() {
     check_model(&lever::functions(), |n| vec![n]);
-}
-
-#[test]
-fn the_two_functions_of_a_series_give_the_tapes_bits() {
-    let series = Recursion::new(&lever::functions()[1], 4).tapes();
-    let count = 2 + series.carried + series.lanes;
-    let extra = |_| (0..count).map(|at| (0.7 * at as f64).sin() + 0.1).collect();
-    check_model(&[series.start, series.step], extra);
 }
 
 #[test]

@@ -44,12 +44,6 @@ pub trait Signal<I> {
     fn bound(&self, _from: f64, _to: f64) -> Option<I> {
         None
     }
-
-    /// Writes the input at `theta` + `span` τ as a power series in τ, one entry of `out` per power;
-    /// returns `false` if it has none. Only the positions of a [`Motion`] are used.
-    fn series(&self, _theta: f64, _span: f64, _out: &mut [I]) -> bool {
-        false
-    }
 }
 
 impl<I, F: Fn(f64) -> I> Signal<I> for F {

@@ -69,21 +69,6 @@ impl Signal<Motion> for Cubic {
     fn bound(&self, from: f64, to: f64) -> Option<Motion> {
         Some(self.at(from).bound_over((to - from) / self.per_second))
     }
-
-    fn series(&self, theta: f64, span: f64, out: &mut [Motion]) -> bool {
-        let [c0, c1, c2, c3] = self.c;
-        let terms = [
-            c0 + theta * (c1 + theta * (c2 + theta * c3)),
-            (c1 + theta * (2.0 * c2 + theta * 3.0 * c3)) * span,
-            (c2 + theta * 3.0 * c3) * span * span,
-            c3 * span * span * span,
-        ];
-        let terms = terms.into_iter().chain(core::iter::repeat(0.0));
-        for (out, position) in out.iter_mut().zip(terms) {
-            *out = Motion { position, ..Motion::default() };
-        }
-        true
-    }
 }
 
 /// Turns one sample per tick into a motion over each tick.

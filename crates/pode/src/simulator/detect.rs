@@ -40,24 +40,6 @@ pub(super) struct Suspicion {
     pub(super) certainty: Certainty,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum GuardVerdict {
-    Clear,
-    Candidate,
-    Unlikely,
-}
-
-impl Suspicion {
-    #[inline]
-    pub(super) const fn take(&mut self, index: usize, verdict: GuardVerdict) {
-        match verdict {
-            GuardVerdict::Clear => {}
-            GuardVerdict::Candidate => self.candidates |= 1 << index,
-            GuardVerdict::Unlikely => self.certainty = Certainty::Unknown,
-        }
-    }
-}
-
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Evaluates the guards at the end of a step where they can have reached zero, and judges all.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
@@ -68,20 +50,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         taken: &TakenStep<M, T>,
     ) -> Result<Suspicion, Fault> {
         let mut found = Suspicion { candidates: 0, certainty: Certainty::Certain };
-        let mode_guards = self.model.guards(self.mode).len();
-        let enclosure =
-            if self.has_series(mode_guards) { None } else { self.enclosure(run, taken) };
+        let enclosure = self.enclosure(run, taken);
         let aims = self.stepper.aims(&self.model.nature(self.mode));
         for index in 0..self.model.guards(self.mode).len().min(MAX_GUARDS) {
             let spec = self.model.guards(self.mode)[index];
             if self.guards[index].stand == Stand::Unwatched {
-                continue;
-            }
-            if T::IS_EXPANDED
-                && let Some(guard) = self.guard_along(index)
-            {
-                let verdict = self.look_along(&guard, (index, &spec), taken.h)?;
-                found.take(index, verdict);
                 continue;
             }
             let slot = &mut self.guards[index];
@@ -98,10 +71,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 self.guards[index].curvature = f64::INFINITY;
             }
             let is_candidate = span.may_cross() || span.stand == Stand::Spent;
-            found.take(
-                index,
-                if is_candidate { GuardVerdict::Candidate } else { GuardVerdict::Unlikely },
-            );
+            if is_candidate {
+                found.candidates |= 1 << index;
+            } else {
+                found.certainty = Certainty::Unknown;
+            }
         }
         Ok(found)
     }
@@ -171,7 +145,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 span.stand = Stand::Sinking;
             }
             let (place, is_sure) = if span.may_cross() {
-                self.crossing_place(run, taken, (index, &span))?
+                self.crossing_place(run, taken, &span)?
             } else {
                 (CrossingTime::NOWHERE, false)
             };
@@ -232,7 +206,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &self,
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
-        (index, span): (usize, &GuardSpan),
+        span: &GuardSpan,
     ) -> Result<(CrossingTime, bool), Fault> {
         let (dense, theta_end) = (&taken.step.dense, taken.theta_end);
         // The tolerance is a fraction of the tick; the step is a part of it.
@@ -253,8 +227,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             is_finite.set(is_finite.get() && value.is_finite());
             value
         };
-        let along = if T::IS_EXPANDED { self.crossing_along(index, span, counted) } else { None };
-        let (crossing, is_sure) = along.unwrap_or_else(|| span.crossing(counted));
+        let (crossing, is_sure) = span.crossing(counted);
         let place = match crossing {
             Crossing::None => CrossingTime::NOWHERE,
             Crossing::AtStart => CrossingTime { tau: 0.0, radius: 0.5 * tolerance },

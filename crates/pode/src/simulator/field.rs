@@ -5,7 +5,6 @@ use crate::model::{Guarded, Model};
 use crate::nature::Nature;
 use crate::outcome::Work;
 use crate::part::Part;
-use crate::series::{Expansion, INPUT_TERMS};
 use crate::state::{Matrix as _, State};
 use crate::stepper::{Field, differences, unit_differences};
 
@@ -122,19 +121,6 @@ impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
         self.derivatives += 1;
         let input = self.input(tau);
         self.rates(x, &input)
-    }
-
-    fn expand(&mut self, out: &mut Expansion<M::State>) -> bool {
-        let mut input = [self.input(0.0); INPUT_TERMS];
-        let (from, to) = self.theta;
-        let wanted = input.get_mut(..=out.order + 3).unwrap_or_default();
-        // An input of no size has no effect.
-        let has_input = size_of::<M::Input>() > 0;
-        if has_input && !self.signal.series(from, to - from, wanted) {
-            return false;
-        }
-        self.derivatives += 1;
-        self.model.series(self.mode, &input, out)
     }
 
     #[inline]

@@ -1,7 +1,6 @@
 //! One tick: [`detect`] finds a step's first crossing, [`transition`] fires what is due.
 
 mod accumulation;
-mod by_series;
 mod detect;
 mod field;
 mod parts;
@@ -26,7 +25,7 @@ use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::quadrature::{LOBATTO, SIMPSON};
 use crate::run::TickRun;
 use crate::state::{is_finite, largest};
-use crate::stepper::{Memory as _, Step, Stepper};
+use crate::stepper::{Step, Stepper};
 use crate::watch::{Piece, Watch};
 
 /// A model in motion.
@@ -259,9 +258,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         input: &M::Input,
     ) -> Option<TakenStep<M, T>> {
-        if T::IS_EXPANDED {
-            self.prepare(run, input);
-        }
         let (theta_end, excess) = self.step_end(run, input);
         let h = (theta_end - run.theta) * run.h;
         let mode_step = ModeStep {
@@ -286,31 +282,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return None;
         };
         Some(TakenStep { step, theta_end, h, input_start, end, input, is_refined: false })
-    }
-
-    /// Lets the method expand its series from the present state, under `input`.
-    fn prepare<S: Signal<M::Input>, W>(&mut self, run: &mut TickRun<'_, S, W>, input: &M::Input) {
-        /// Ticks of the longest unit of time: that of a polynomial, whose higher terms vanish, would
-        /// grow from step to step.
-        const MOST_TICKS: f64 = 1e6;
-        let [memory, ..] = &self.memory;
-        let known = memory.method().scale();
-        let longest = self.model.longest_step_at(self.mode, &self.state, input);
-        let scale = if known.is_finite() { known } else { longest.min(run.rest()) };
-        let scale = scale.min(MOST_TICKS * run.h);
-        let mode_step = ModeStep {
-            model: &self.model,
-            stepper: &self.stepper,
-            mode: self.mode,
-            signal: run.signal,
-            theta: (run.theta, run.theta + scale / run.h),
-            input: *input,
-            excess: 1.0,
-            h: scale,
-            rest: scale,
-            longest: scale,
-        };
-        mode_step.prepare(&self.state, &mut self.memory, &mut run.work);
     }
 
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]

@@ -57,11 +57,6 @@ impl<M: Memory, D> PartMemory<M, D> {
         self.ahead = None;
     }
 
-    #[inline]
-    pub(super) const fn method(&self) -> &M {
-        &self.method
-    }
-
     pub(super) fn begin_tick(&mut self) {
         self.method.begin_tick();
     }
@@ -168,15 +163,6 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
             memories.iter_mut().take(parts.len()).for_each(PartMemory::refuse);
         }
         (whole, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
-    }
-
-    pub(super) fn prepare(&self, x0: &M::State, memories: &mut Memories<M, T>, work: &mut Work) {
-        // Such a method takes all parts together.
-        let Some(whole) = self.whole() else { return };
-        let mut field = self.field((TOGETHER, whole), self.theta.1);
-        let [memory, ..] = memories;
-        self.stepper.prepare(&mut field, x0, &mut memory.method, self.h);
-        field.count(work);
     }
 
     /// Steps one of several parts by the step ahead, or by a new one of the mode's length or more.

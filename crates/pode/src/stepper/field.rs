@@ -2,7 +2,6 @@
 
 use crate::math::sqrt;
 use crate::nature::Nature;
-use crate::series::Expansion;
 use crate::state::Matrix as _;
 use crate::state::State;
 
@@ -20,11 +19,6 @@ pub trait Field<S: State> {
             return unit_differences(|x| self.derivative(tau, x));
         }
         differences(x, |x| self.derivative(tau, x))
-    }
-
-    /// Expands the solution from the step's start, in its units; `false` if it has no series.
-    fn expand(&mut self, _out: &mut Expansion<S>) -> bool {
-        false
     }
 }
 

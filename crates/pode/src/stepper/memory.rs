@@ -2,8 +2,6 @@
 
 use core::fmt::Debug;
 
-use crate::series::GuardSeries;
-
 /// A method's knowledge of the steps before.
 pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     /// Clears the memory: the state jumped, the mode changed, or the step was cut short.
@@ -24,18 +22,6 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     #[inline]
     fn reach(&self) -> f64 {
         f64::INFINITY
-    }
-
-    /// Returns the approximate next step (s), for a method that looks ahead; infinite if unknown.
-    #[inline]
-    fn scale(&self) -> f64 {
-        f64::INFINITY
-    }
-
-    /// Returns the mode's guards along the last step, if the method knows them.
-    #[inline]
-    fn guards(&self) -> Option<GuardSeries<'_>> {
-        None
     }
 }
 

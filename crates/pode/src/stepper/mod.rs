@@ -20,7 +20,6 @@ mod rodas3;
 mod rosenbrock;
 mod semi_implicit_euler;
 mod shifted;
-mod taylor;
 mod time_slope;
 mod tsitouras5;
 mod velocity_verlet;
@@ -43,7 +42,6 @@ pub use memory::{EndDerivative, Memory};
 pub use rk4::Rk4;
 pub use rodas3::Rodas3;
 pub use semi_implicit_euler::SemiImplicitEuler;
-pub use taylor::{Taylor, TaylorMemory};
 pub use tsitouras5::Tsitouras5;
 pub use velocity_verlet::VelocityVerlet;
 
@@ -96,8 +94,6 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     const REFINEMENT: u32 = 0;
     /// Most evaluations of the Jacobian in one step.
     const JACOBIANS: u32 = 0;
-    /// Whether it expands the solution before it knows how long its step is.
-    const IS_EXPANDED: bool = false;
     const NAME: &'static str;
 
     /// What it carries from one step to the next.
@@ -112,17 +108,6 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
         memory: &mut Self::Memory<S>,
         h: f64,
     ) -> Step<S, Self::Dense<S>>;
-
-    /// Looks ahead from `x0` by about `scale` (s), to know a step's reach ([`Memory::reach`]).
-    #[inline]
-    fn prepare<S: State>(
-        &self,
-        _field: &mut impl Field<S>,
-        _x0: &S,
-        _memory: &mut Self::Memory<S>,
-        _scale: f64,
-    ) {
-    }
 
     /// Brings the dense output of the step just taken to its full order, where that costs
     /// evaluations of its own: asked for only where the inside of a step is looked at.

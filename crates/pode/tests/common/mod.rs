@@ -4,7 +4,6 @@ pub mod block;
 pub mod head;
 pub mod two_sided;
 
-use pode::series::{Expansion, INPUT_TERMS};
 use pode::stepper::Rk4;
 use pode::{
     Advance, Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Limits,
@@ -141,8 +140,6 @@ impl Resets for Ball {
     }
 }
 
-type SeriesOf<P, const N: usize> = fn(&P, &mut Expansion<[f64; N]>);
-
 /// A model of one mode without input, as functions of `of`; [`OneMode::new`] has no guards.
 #[derive(Clone, Copy, Debug)]
 pub struct OneMode<P, const N: usize> {
@@ -155,7 +152,6 @@ pub struct OneMode<P, const N: usize> {
     /// `true` if the guards move and bend as the first entry does, and say so.
     pub is_bounded: bool,
     pub reset: fn(&P, GuardId, &[f64; N]) -> [f64; N],
-    pub series: Option<SeriesOf<P, N>>,
 }
 
 impl<P, const N: usize> OneMode<P, N> {
@@ -169,7 +165,6 @@ impl<P, const N: usize> OneMode<P, N> {
             guard: |_, _, _| unreachable!("no guards"),
             is_bounded: false,
             reset: |_, _, x| *x,
-            series: None,
         }
     }
 
@@ -198,10 +193,6 @@ impl<P, const N: usize> Model for OneMode<P, N> {
 }
 
 impl<P, const N: usize> Guarded for OneMode<P, N> {
-    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; N]>) -> bool {
-        self.series.map(|expand| expand(&self.of, out)).is_some()
-    }
-
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
         self.guards
     }

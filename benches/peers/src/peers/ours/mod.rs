@@ -13,7 +13,7 @@ pub(crate) use written::Written;
 
 use std::hint::black_box;
 
-use pode::stepper::{BogackiShampine, Controlled, Dop853, Exact, Rk4, Stepper, Taylor, Tolerance};
+use pode::stepper::{BogackiShampine, Controlled, Dop853, Exact, Rk4, Stepper, Tolerance};
 use pode::{Limits, Model, Resets};
 
 use crate::entry::{Entry, Run, STEPS, Setting, tolerances};
@@ -28,42 +28,10 @@ pub(crate) struct Ours<M: Model, I> {
     pub(crate) start: (M::Mode, M::State),
 }
 
-pub(crate) trait Driven<T> {
-    fn at(&self, t: f64) -> T;
-
-    /// Writes the power series in units of `dt` (s); returns `false` if there is none.
-    fn series(&self, _t: f64, _dt: f64, _out: &mut [T]) -> bool {
-        false
-    }
-}
-
-impl<T, F: Fn(f64) -> T> Driven<T> for F {
-    #[inline]
-    fn at(&self, t: f64) -> T {
-        self(t)
-    }
-}
-
-pub(crate) fn expanded<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64) -> Vec<Entry>
-where
-    M: Resets<State = [f64; N]> + Clone + 'static,
-    I: Driven<M::Input> + Clone + 'static,
-{
-    let row = |tolerance| Entry {
-        code: CODE,
-        method: "Taylor",
-        setting: Setting::Best("sweep"),
-        knob: tolerance,
-        note: "one tick, steps by the tolerance",
-        run: run(ours, Taylor::to(Tolerance::both(tolerance)), offline(), t_end, t_end),
-    };
-    tolerances(15).map(row).collect()
-}
-
 pub(crate) fn entries<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Clone + 'static,
-    I: Driven<M::Input> + Clone + 'static,
+    I: Fn(f64) -> M::Input + Clone + 'static,
 {
     let ticks = STEPS.into_iter().flat_map(|h| by_tick(ours, t_end, h));
     let tolerances = tolerances(13).flat_map(|tolerance| by_tolerance(ours, t_end, tolerance));
@@ -78,7 +46,7 @@ where
 fn by_tick<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Clone + 'static,
-    I: Driven<M::Input> + Clone + 'static,
+    I: Fn(f64) -> M::Input + Clone + 'static,
 {
     let entry = |method, run| Entry {
         code: CODE,
@@ -105,7 +73,7 @@ where
 fn by_tolerance<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64, tolerance: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Clone + 'static,
-    I: Driven<M::Input> + Clone + 'static,
+    I: Fn(f64) -> M::Input + Clone + 'static,
 {
     let method = Controlled { method: Dop853, tolerance: Tolerance::both(tolerance) };
     vec![Entry {
@@ -122,7 +90,7 @@ where
 fn one_tick<const N: usize, M, I>(ours: &Ours<M, I>, t_end: f64) -> [Entry; 2]
 where
     M: Resets<State = [f64; N]> + Clone + 'static,
-    I: Driven<M::Input> + Clone + 'static,
+    I: Fn(f64) -> M::Input + Clone + 'static,
 {
     let entry = |method, note, run| Entry {
         code: CODE,
@@ -158,7 +126,7 @@ fn run<const N: usize, M, I, T>(
 ) -> Run
 where
     M: Resets<State = [f64; N]> + Clone + 'static,
-    I: Driven<M::Input> + Clone + 'static,
+    I: Fn(f64) -> M::Input + Clone + 'static,
     T: Stepper + 'static,
 {
     let ours = ours.clone();

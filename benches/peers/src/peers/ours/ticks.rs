@@ -3,7 +3,7 @@
 use pode::stepper::Stepper;
 use pode::{Advance, Event, EventCause, Guarded, Limits, Piece, Resets, Signal, Simulator, Watch};
 
-use super::{Driven, Ours};
+use super::Ours;
 use crate::log::Log;
 
 struct OfTick<'a, I> {
@@ -12,15 +12,10 @@ struct OfTick<'a, I> {
     h: f64,
 }
 
-impl<T, I: Driven<T>> Signal<T> for OfTick<'_, I> {
+impl<T, I: Fn(f64) -> T> Signal<T> for OfTick<'_, I> {
     #[inline]
     fn at(&self, theta: f64) -> T {
-        self.input.at((self.tick + theta) * self.h)
-    }
-
-    #[inline]
-    fn series(&self, theta: f64, span: f64, out: &mut [T]) -> bool {
-        self.input.series((self.tick + theta) * self.h, span * self.h, out)
+        (self.input)((self.tick + theta) * self.h)
     }
 }
 
@@ -67,7 +62,7 @@ pub(super) fn run<const N: usize, M, I, T>(
 ) -> Result<(), String>
 where
     M: Resets<State = [f64; N]> + Clone,
-    I: Driven<M::Input>,
+    I: Fn(f64) -> M::Input,
     T: Stepper,
 {
     if log.wants_states() {
@@ -87,7 +82,7 @@ fn follow<const INSIDE: bool, const N: usize, M, I, T>(
 ) -> Result<(), String>
 where
     M: Resets<State = [f64; N]> + Clone,
-    I: Driven<M::Input>,
+    I: Fn(f64) -> M::Input,
     T: Stepper,
 {
     let (mode, state) = ours.start;

@@ -10,7 +10,6 @@ use mechanism::formulas::{Dependence, Dimension, Form, Measured, NameError, Name
 use pode::Motion;
 
 use super::interval::{Interval, enclose};
-use super::series::FormulaSeries;
 use super::{InputMistake, NAME, is_finite};
 
 /// Symbol and argument of t.
@@ -23,7 +22,6 @@ const MAX_WORK: u64 = 30_000;
 #[derive(Debug)]
 pub(in super::super) struct Expression {
     tape: Tape,
-    series: Option<FormulaSeries>,
     /// Last t with its motion: stages, guards and readouts share their instants.
     last: Cell<(f64, Motion)>,
 }
@@ -46,8 +44,7 @@ impl Expression {
             errors.into_iter().map(mistake).collect::<Vec<_>>()
         })?;
         let tape = tape.ok_or_else(|| vec![InputMistake::TooLong])?;
-        let series = FormulaSeries::new(&tape);
-        let expression = Self { tape, series, last: Cell::new((f64::NAN, Motion::default())) };
+        let expression = Self { tape, last: Cell::new((f64::NAN, Motion::default())) };
         let is_driven = is_finite(&expression.at(0.0));
         if is_driven { Ok(expression) } else { Err(vec![InputMistake::NotFinite]) }
     }
@@ -64,11 +61,6 @@ impl Expression {
         let motion = Motion { position, rate, acceleration, jerk };
         self.last.set((t, motion));
         motion
-    }
-
-    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` if it has none.
-    pub(super) fn series(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
-        self.series.as_ref().is_some_and(|series| series.write(t, span, out))
     }
 
     /// Returns the largest magnitudes of s and its rates from `from` to `to` (s); `None` if one of

@@ -3,7 +3,6 @@
 mod expression;
 mod interval;
 mod mistake;
-mod series;
 mod table;
 
 use pode::Motion;
@@ -58,18 +57,6 @@ impl InputSignal {
             Self::Rest => Motion::default(),
             Self::Expression(expression) => expression.at(t),
             Self::Table(table) => table.at(t),
-        }
-    }
-
-    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` if it has none.
-    pub(super) fn series(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
-        match self {
-            Self::Rest => {
-                out.fill(Motion::default());
-                true
-            }
-            Self::Expression(expression) => expression.series(t, span, out),
-            Self::Table(_) => false,
         }
     }
 

@@ -44,7 +44,7 @@ fn the_committed_picture_shows_every_case_and_method() {
         assert!(shown.contains(&format!("\n{name}{mark}\n")), "draw it again: {name}");
         assert!(shown.contains(&format!("\n{}\n", case.topic)), "draw it again: {}", case.topic);
     }
-    for name in cli::simulate::StudiedMethod::names() {
+    for name in pode::stepper::Any::NAMES {
         assert!(shown.contains(&format!("\n{name}\n")), "draw it again: {name}");
     }
 }

@@ -16,7 +16,6 @@ mod writer;
 pub use analysis::{AngleGroup, AngleValues, ArgumentCounts};
 pub use evaluate::TapeArguments;
 pub use ready::constant_parts;
-pub(crate) use writer::TapeWriter;
 
 use crate::expressions::graph::{BinaryFunction, Place, UnaryFunction};
 

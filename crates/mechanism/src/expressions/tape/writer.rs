@@ -5,7 +5,7 @@ use super::{Argument, Instruction, TapeSlot};
 
 /// Tape that is being written; equal instructions are written once.
 #[derive(Debug, Default)]
-pub(crate) struct TapeWriter {
+pub(super) struct TapeWriter {
     instructions: Vec<Instruction>,
     known: HashMap<[u64; 4], TapeSlot>,
     /// Time at which each value is ready, roughly in cycles of a present processor.
@@ -15,11 +15,11 @@ pub(crate) struct TapeWriter {
 type Signed = Reverse<(u32, TapeSlot, bool)>;
 
 impl TapeWriter {
-    pub(crate) fn finish(self) -> Vec<Instruction> {
+    pub(super) fn finish(self) -> Vec<Instruction> {
         self.instructions
     }
 
-    pub(crate) fn push(&mut self, instruction: Instruction) -> TapeSlot {
+    pub(super) fn push(&mut self, instruction: Instruction) -> TapeSlot {
         let key = key(&instruction);
         if let Some(slot) = self.known.get(&key) {
             return *slot;
@@ -33,7 +33,7 @@ impl TapeWriter {
         slot
     }
 
-    pub(crate) fn number(&mut self, value: f64) -> TapeSlot {
+    pub(super) fn number(&mut self, value: f64) -> TapeSlot {
         self.push(Instruction::Number(value))
     }
 

@@ -125,16 +125,6 @@ impl FunctionList {
         self.add_tape(name, tape)
     }
 
-    pub(super) fn tape(
-        &mut self,
-        graph: &mut Graph,
-        name: &str,
-        outputs: &[Node],
-    ) -> Result<Tape, AssemblyError> {
-        let outputs = self.hoisting.of(graph, outputs);
-        self.lower(graph, name, &outputs)
-    }
-
     fn lower(
         &mut self,
         graph: &Graph,

@@ -17,7 +17,6 @@ mod modes;
 mod moving;
 mod names;
 mod parts;
-mod series;
 mod switches;
 mod table;
 

@@ -10,7 +10,7 @@ use super::jacobian::StateOfMode;
 use super::kinds::{LossKind, is_linear_in_state, is_of_input, is_stiffening, kind_of};
 use super::moving::Moving;
 use super::parts::parts;
-use super::{AssemblyError, contacts, guards, names, series};
+use super::{AssemblyError, contacts, guards, names};
 use crate::kane::graph::{Graph, Place};
 use crate::kane::mechanism::{ConstraintKind, Mechanism};
 
@@ -32,7 +32,6 @@ pub(super) fn mode(
     Ok(ModeTable {
         name: names::name(name),
         forces,
-        series: series::series(graph, functions, &builder)?,
         guards,
         guard_specs,
         contacts,

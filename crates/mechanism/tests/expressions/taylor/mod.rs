@@ -1,2 +1,0 @@
-mod functions;
-mod straight;
