@@ -65,12 +65,6 @@ impl FrictionSpec {
         Self { kind: SlipKind::Condition, ..Self::new(name, 1.0, slip) }
     }
 
-    /// Returns the friction with another largest jump that a stick follows (m/s).
-    #[must_use]
-    pub const fn with_slack(self, slack: f64) -> Self {
-        Self { slack, ..self }
-    }
-
     /// Slip speed that counts as zero where an event was located by it (m/s).
     pub(super) const fn located(&self) -> f64 {
         self.slip / 1_048_576.0
