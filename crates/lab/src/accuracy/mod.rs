@@ -85,7 +85,7 @@ pub fn measure(
 }
 
 /// Returns the least errors of event times (s), and of states and force, that a computed reference
-/// can show: 100 times those of a method of another family.
+/// can show: 100 times those of another method.
 fn least_errors(study: &dyn Study, plan: &Plan) -> [f64; 2] {
     const MARGIN: f64 = 100.0;
     let setting = Setting { tick: plan.offline_tick, tolerance: Some(1e-13) };

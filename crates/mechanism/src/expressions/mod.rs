@@ -1,7 +1,7 @@
 //! Expressions that are stored once, their exact derivatives, and the programs that compute them.
 //!
 //! [`graph`] holds expressions with shared parts; [`tape`] is the straight-line program of some of
-//! them; [`taylor`] has the power series of a tape's values.
+//! them.
 
 pub mod graph;
 pub mod tape;

@@ -4,8 +4,7 @@
 //! with all its mistakes; [`graph`] stores all expressions once, with exact derivatives;
 //! [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from it, mode by mode;
 //! [`tape`] is the straight-line program of some expressions; [`assemble`] builds the table and the
-//! functions of a model for `instruments::equations`; [`readable`] writes a system as text;
-//! [`taylor`] has the power series of a motion.
+//! functions of a model for `instruments::equations`; [`readable`] writes a system as text.
 //!
 //! Not here: time stepping, keys, sound.
 
