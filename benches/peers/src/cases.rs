@@ -56,7 +56,7 @@ fn ball() -> Case {
     }
 }
 
-/// Returns the stroke of model B: height (rad), time (s) and 1/width (1/s) of each bell.
+/// Returns the stroke of model B, a sum of `bells` by height (rad), time (s) and 1/width (1/s).
 ///
 /// Only the position: where b1 is zero nothing else of the input enters, and the peers compute
 /// nothing else.

@@ -1,20 +1,21 @@
-use pode::{Limits, Signal, Silent, Simulator, Stepper, Tick, Watch};
+use pode::stepper::Any;
+use pode::{Limits, Signal, Silent, Simulator, Tick, Watch};
 
 use super::stepped::{Stepped, Stepping};
 use crate::scenario::{InputOf, Scenario};
 
 /// Scenario, method and tick of a run, which can be repeated any number of times.
 #[derive(Debug)]
-pub(super) struct RunJob<'a, S, T> {
+pub(super) struct RunJob<'a, S> {
     pub(super) scenario: &'a S,
-    pub(super) stepper: T,
+    pub(super) stepper: Any,
     pub(super) limits: Limits,
     pub(super) stepping: Stepping,
     /// Length of a tick (s).
     pub(super) tick: f64,
 }
 
-impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
+impl<S: Scenario> RunJob<'_, S> {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -24,7 +25,7 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
         (self.scenario.plan().until / self.tick).round() as u64
     }
 
-    pub(super) fn simulator(&self) -> Simulator<Stepped<S::Model>, T> {
+    pub(super) fn simulator(&self) -> Simulator<Stepped<S::Model>, Any> {
         let (model, mode, state) = self.scenario.start();
         let model = Stepped { model, stepping: self.stepping };
         Simulator::new(model, self.stepper, self.limits, mode, state)
@@ -33,7 +34,7 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
     #[inline]
     pub(super) fn advance<W: Watch<Stepped<S::Model>>>(
         &self,
-        simulator: &mut Simulator<Stepped<S::Model>, T>,
+        simulator: &mut Simulator<Stepped<S::Model>, Any>,
         watch: &mut W,
     ) -> Tick {
         let (start, h) = (simulator.tick() as f64, self.tick);
@@ -43,7 +44,7 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
 
     /// Advances by one tick without a watch; this function is timed.
     #[inline(never)]
-    pub(super) fn advance_alone(&self, simulator: &mut Simulator<Stepped<S::Model>, T>) -> Tick {
+    pub(super) fn advance_alone(&self, simulator: &mut Simulator<Stepped<S::Model>, Any>) -> Tick {
         self.advance(simulator, &mut Silent)
     }
 }

@@ -1,8 +1,6 @@
 use std::time::{Duration, Instant};
 
-use pode::{
-    Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Stepper, Watch, Work,
-};
+use pode::{Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Watch, Work};
 
 use super::{job::RunJob, stepped::Stepped};
 use crate::scenario::{ForceKind, Plan, Scenario, StateOf, Studied};
@@ -34,7 +32,7 @@ pub(super) struct ObservedRun<M: Model> {
     pub(super) trouble: Option<(f64, String)>,
 }
 
-pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> ObservedRun<S::Model> {
+pub(super) fn observe<S: Scenario>(job: &RunJob<'_, S>) -> ObservedRun<S::Model> {
     let mut log = EventRecorder::<S::Model>::new(job.tick);
     let mut samples = Samples::new(job.scenario, job.tick);
     let mut trouble = None;
@@ -61,7 +59,7 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Observ
     }
 }
 
-fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> (Vec<Work>, Vec<Duration>) {
+fn work<S: Scenario>(job: &RunJob<'_, S>) -> (Vec<Work>, Vec<Duration>) {
     let mut simulator = job.simulator();
     let (mut work, mut ticks) = (Vec::new(), Vec::new());
     for _ in 0..job.ticks() {

@@ -7,13 +7,13 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use pode::{Stepper, Work};
+use pode::Work;
 
 use super::{Effort, job::RunJob, observe::ObservedRun, row::Times};
 use crate::scenario::Scenario;
 
-pub(super) fn time<S: Scenario, T: Stepper>(
-    job: &RunJob<'_, S, T>,
+pub(super) fn time<S: Scenario>(
+    job: &RunJob<'_, S>,
     observed: &ObservedRun<S::Model>,
     effort: Effort,
 ) -> Times {
@@ -32,7 +32,7 @@ pub(super) fn time<S: Scenario, T: Stepper>(
     figures(whole, &ticks, work, job.tick)
 }
 
-fn run<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, ticks: usize) -> Duration {
+fn run<S: Scenario>(job: &RunJob<'_, S>, ticks: usize) -> Duration {
     let mut simulator = job.simulator();
     let began = Instant::now();
     for _ in 0..ticks {
@@ -42,7 +42,7 @@ fn run<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, ticks: usize) -> Duratio
 }
 
 /// Runs all ticks, and reads the clock around each; keeps the least time of each tick.
-fn run_by_ticks<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, least: &mut [Duration]) {
+fn run_by_ticks<S: Scenario>(job: &RunJob<'_, S>, least: &mut [Duration]) {
     let mut simulator = job.simulator();
     for least in least {
         let began = Instant::now();
