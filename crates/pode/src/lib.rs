@@ -52,6 +52,7 @@ mod impacts;
 mod isolate;
 mod limits;
 mod locate;
+mod mechanical;
 mod model;
 mod nature;
 mod outcome;
@@ -77,6 +78,10 @@ pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS, Reads};
 pub use input::{Motion, Signal};
 pub use limits::{Limits, WorkLimit};
 pub use locate::{Bracket, Located, locate};
+pub use mechanical::{
+    EntryRole, MAX_INTERNAL, MAX_SLOPES, MAX_SPEEDS, Mechanical, MechanicalLayout, MechanicalPoint,
+    MechanicalValues, SpeedMatrix,
+};
 
 pub use model::{Guarded, Model, Reset, Resets, Settling};
 pub use nature::{EquationKind, Nature};

@@ -4,6 +4,7 @@ use core::fmt::Debug;
 
 use crate::enclosure::{Enclosure, GuardBound};
 use crate::guard::{GuardId, GuardSpec, GuardValue};
+use crate::mechanical::Mechanical;
 use crate::nature::Nature;
 use crate::part::Part;
 use crate::state::State;
@@ -94,6 +95,12 @@ pub trait Guarded: Model {
     /// Whether a guard of the list is watched in `mode`; one that is not is never evaluated there.
     fn is_watched(&self, _mode: Self::Mode, _guard: GuardId) -> bool {
         true
+    }
+
+    /// Returns the modes in mechanical form, for methods that use the mass matrix.
+    #[inline]
+    fn mechanical(&self) -> Option<&dyn Mechanical<Self::Mode, Self::State, Self::Input>> {
+        None
     }
 
     /// Bounds what the guard does along a computed orbit, with the enclosure of one step. With a

@@ -59,7 +59,7 @@ const STEPPERS: NamedValues<Any> = NamedValues {
     all: || STEPPER_NAMES.iter().filter_map(|name| Some((*name, Any::named(name)?))).collect(),
 };
 
-const STEPPER_NAMES: [&str; 12] = [
+const STEPPER_NAMES: [&str; 13] = [
     stepper::SemiImplicitEuler::NAME,
     stepper::Heun::NAME,
     stepper::VelocityVerlet::NAME,
@@ -71,6 +71,7 @@ const STEPPER_NAMES: [&str; 12] = [
     stepper::LinearImplicitMidpoint::NAME,
     stepper::Rodas3::NAME,
     <stepper::Exact>::NAME,
+    stepper::Newmark::NAME,
     stepper::ByNeed::NAME,
 ];
 

@@ -1,8 +1,8 @@
 //! The guards of a mode, and their resets.
 
 use pode::{
-    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model as _, Motion, Reset,
-    Resets,
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Mechanical, Model as _, Motion,
+    Reset, Resets,
 };
 
 use crate::equations::mode_number::ModeNumber;
@@ -20,6 +20,10 @@ pub(super) const HOP: f64 = 1e-5;
 impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
     #[inline(always)]
+    fn mechanical(&self) -> Option<&dyn Mechanical<ModeNumber, [f64; N], Motion>> {
+        Some(self)
+    }
+
     fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mode = self.mode_table(mode);
         if mode.constraints.slaved.is_none() && mode.constraints.projection.is_none() {

@@ -20,6 +20,7 @@ pub mod functions;
 mod guards;
 mod impacts;
 mod jacobian_bound;
+mod mechanical;
 mod mode_number;
 mod model;
 mod motion;

@@ -8,8 +8,8 @@ use pode::contacts::{
     MAX_FRICTIONS, SlipKind, Surface, WithContacts,
 };
 use pode::{
-    Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion,
-    Nature, ReadoutSlopes, Reset, Sloped,
+    Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Mechanical,
+    Model, Motion, Nature, ReadoutSlopes, Reset, Sloped,
 };
 
 use crate::equations::mode_number::ModeNumber;
@@ -20,7 +20,7 @@ use crate::equations::table::{ContactModeTable, Equations, FunctionId, MAX_CODED
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Returns the table of a contact in a mode; `None` if it cannot close there.
     #[inline]
-    fn contact(&self, mode: ModeNumber, contact: usize) -> Option<&ContactModeTable> {
+    pub(crate) fn contact(&self, mode: ModeNumber, contact: usize) -> Option<&ContactModeTable> {
         self.mode_table(mode).contacts.iter().find(|it| usize::from(it.contact) == contact)
     }
 
@@ -204,6 +204,10 @@ impl<F: Equations + Clone, const N: usize, const C: usize> FrictionalContacts
     ) -> Surface<[f64; N]> {
         let slip = self.contact(mode, contact).and_then(|contact| contact.slip);
         self.surface(slip, x, input)
+    }
+
+    fn mechanical(&self) -> Option<&dyn Mechanical<ContactMode<ModeNumber>, [f64; N], Motion>> {
+        Some(self)
     }
 
     fn acts(&self, mode: ModeNumber, contact: usize) -> bool {

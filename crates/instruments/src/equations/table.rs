@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 
 use pode::contacts::ContactSpec;
 use pode::contacts::restitution::ImpactLaw;
-use pode::{Enclosure, EquationKind, Fires, GuardSpec, Motion, Part, Reads};
+use pode::{Enclosure, EquationKind, Fires, GuardSpec, MechanicalLayout, Motion, Part, Reads};
 
 /// Number of a function of a model.
 pub type FunctionId = u16;
@@ -216,6 +216,7 @@ pub struct ModeTable {
     /// Computes the Jacobian of the derivative by the state, row by row; `None` for a large mode,
     /// whose derivative is differenced instead.
     pub jacobian: Option<FunctionId>,
+    pub mechanics: Option<MechanicsTable>,
     /// Kind of the equations; their fastest rate comes from the Jacobian at the rest pose.
     pub kind: EquationKind,
     /// Computes from the constants a number that is 0 if these values lose nothing: the mode is
@@ -283,6 +284,7 @@ impl ModeTable {
             averaged: None,
         },
         jacobian: Some(Self::NO_FUNCTION),
+        mechanics: None,
         kind: EquationKind::Smooth,
         loss: None,
         is_stiffening: false,
@@ -291,6 +293,15 @@ impl ModeTable {
         contacts: Vec::new(),
         freedom: Freedom { n: 0, m: 0, p: 0 },
     };
+}
+
+/// The mechanical form of a mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct MechanicsTable {
+    pub layout: MechanicalLayout,
+    /// Computes the values in the order of [`pode::MechanicalValues`]; `extra` holds the length of
+    /// the step and the speeds in its middle.
+    pub values: FunctionId,
 }
 
 /// Coordinates n, constraints m and independent speeds p = n − m of a mode. `[GC93]` table 1.
@@ -391,6 +402,9 @@ pub struct ContactModeTable {
     pub normal: Option<FunctionId>,
     /// Computes its contribution to the Jacobian, row by row.
     pub jacobian: Option<FunctionId>,
+    /// Computes its contribution to forces, stiffness and damping of the mechanical form, then its
+    /// stiffness row.
+    pub mechanics: Option<FunctionId>,
     /// Computes its contribution to readout, energy (J), supplied and dissipated power (W).
     pub balance: Option<FunctionId>,
     /// Computes the slip speed, its rate by time alone, and its gradient by the state.

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use pode::stepper::{Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Rk4, Rodas3, Tsitouras5};
+use pode::stepper::{Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Newmark, Rk4, Rodas3};
 use pode::{Limits, Stepper as _};
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
@@ -48,7 +48,7 @@ impl MethodGroup {
     fn of(method: &str) -> Self {
         match method {
             Dop853::NAME => Self::LongStep,
-            LinearImplicitMidpoint::NAME | Rodas3::NAME => Self::Implicit,
+            LinearImplicitMidpoint::NAME | Newmark::NAME | Rodas3::NAME => Self::Implicit,
             ByNeed::NAME | Exact::NAME => Self::Chosen,
             _ => Self::Explicit,
         }

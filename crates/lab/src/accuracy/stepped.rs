@@ -3,7 +3,9 @@
 //! A model's own longest step cuts ticks: a study of 5 ms would really be one of 1 ms. All other
 //! methods of the traits are forwarded, also those with a default.
 
-use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
+use pode::{
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Mechanical, Model, Nature,
+};
 use pode::{Energetic, Part, Reset, Resets, Settling, State};
 
 /// Rule that cuts a tick into steps.
@@ -88,6 +90,11 @@ impl<M: Guarded> Guarded for Stepped<M> {
             Stepping::Ticks => f64::INFINITY,
             Stepping::Models => self.model.longest_step_at(mode, x, input),
         }
+    }
+
+    #[inline]
+    fn mechanical(&self) -> Option<&dyn Mechanical<M::Mode, M::State, M::Input>> {
+        self.model.mechanical()
     }
 
     #[inline]

@@ -4,6 +4,8 @@
 //! and reactions are eliminated. Coordinates that are solved in every mode are no entries of the
 //! state.
 
+use pode::EntryRole;
+
 use crate::kane::graph::{Node, Place};
 use crate::kane::mechanism::{Fires, GuardBranch, Mechanism};
 
@@ -35,6 +37,8 @@ pub struct ModeEquations {
     pub drift: Vec<Node>,
     /// `true` if multipliers hold constraints, whose coordinates and speeds all move by equations.
     pub is_held: bool,
+    /// Mass matrix, forces and their slopes; `None` without a mechanical form.
+    pub mechanical: Option<MechanicalEquations>,
     /// Contributions of contacts to the derivative per unit of normal force and of friction.
     pub contacts: Vec<ContactEquations>,
     /// Generalised force on the driver of the input, without contacts.
@@ -46,6 +50,22 @@ pub struct ModeEquations {
     pub guards: Vec<GuardEquations>,
     /// Impacts of the family whose first mode this is.
     pub impacts: Option<ImpactEquations>,
+}
+
+/// Mechanical form of a mode, over the state, the step's length and its middle speeds.
+#[derive(Clone, Debug)]
+pub struct MechanicalEquations {
+    /// Role of each entry of the state.
+    pub roles: Vec<EntryRole>,
+    /// Entries of the state that are the speeds.
+    pub speeds: Vec<usize>,
+    /// Values in the order of [`MechanicalValues`](pode::MechanicalValues).
+    pub values: Vec<Node>,
+    /// Element and speed of each stiffness slope.
+    pub slopes: Vec<(usize, usize)>,
+    /// What each contact of the mode adds to forces, stiffness and damping while it is closed, then
+    /// its stiffness row.
+    pub contacts: Vec<Option<Vec<Node>>>,
 }
 
 /// Impacts of a family's rigid contacts, without any of them closed.

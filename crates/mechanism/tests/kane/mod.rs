@@ -18,6 +18,7 @@ mod grand;
 mod guard_bounds;
 mod impacts;
 mod named_forces;
+mod newmark;
 mod oracle;
 mod passivity;
 mod pivots;

@@ -5,7 +5,9 @@ use crate::contacts::spec::{ContactGuard, FRICTIONS, STRUCTURE};
 use crate::contacts::{
     ContactMode, ContactState, GuardedContacts, MAX_CONTACTS, MAX_FRICTIONS, WithContacts,
 };
-use crate::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, MAX_GUARDS};
+use crate::{
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, MAX_GUARDS, Mechanical,
+};
 
 /// Error for a model with too many contacts, frictions or guards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -70,6 +72,10 @@ impl GuardList {
 impl<M: GuardedContacts> Guarded for WithContacts<M> {
     fn longest_step_at(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> f64 {
         self.system.longest_step_at(mode.structure, mode.contacts, x, input)
+    }
+
+    fn mechanical(&self) -> Option<&dyn Mechanical<Self::Mode, M::State, M::Input>> {
+        self.system.mechanical()
     }
 
     fn constrain(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> M::State {

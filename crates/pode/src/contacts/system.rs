@@ -3,11 +3,12 @@
 use core::fmt::Debug;
 
 use crate::contacts::{
-    ContactGuard, ContactIndices, ContactSet, ContactSpec, Continued, FrictionForces, Surface,
-    WithContacts,
+    ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, Continued, FrictionForces,
+    Surface, WithContacts,
 };
 use crate::{
-    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Nature, ReadoutSlopes, Reset, State,
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Mechanical, Nature, ReadoutSlopes,
+    Reset, State,
 };
 
 /// The largest friction forces of a closed contact (N, or N m).
@@ -132,6 +133,13 @@ pub trait FrictionalContacts: CoupledFrictions {
         Surface { value: 0.0, gradient: Self::State::ZERO, drift: 0.0 }
     }
 
+    /// Returns the modes in mechanical form, each without sticking or sliding contacts.
+    fn mechanical(
+        &self,
+    ) -> Option<&dyn Mechanical<ContactMode<Self::Structure>, Self::State, Self::Input>> {
+        None
+    }
+
     /// Returns `false` where a friction does not exist in `structure`, so that nothing ends it.
     fn acts(&self, _structure: Self::Structure, _contact: usize) -> bool {
         true
@@ -254,6 +262,6 @@ pub trait GuardedContacts: FrictionalContacts {
         x: &Self::State,
         _input: &Self::Input,
     ) -> Reset<WithContacts<Self>> {
-        Reset::to(super::ContactMode { structure, contacts }, *x)
+        Reset::to(ContactMode { structure, contacts }, *x)
     }
 }

@@ -1,6 +1,7 @@
 //! One mode's equations over one step, with counted evaluations.
 
 use crate::input::Signal;
+use crate::mechanical::{MechanicalLayout, MechanicalPoint, MechanicalValues};
 use crate::model::{Guarded, Model};
 use crate::nature::Nature;
 use crate::outcome::Work;
@@ -121,6 +122,25 @@ impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
         self.derivatives += 1;
         let input = self.input(tau);
         self.rates(x, &input)
+    }
+
+    #[inline]
+    fn layout(&self) -> Option<&MechanicalLayout> {
+        self.model.mechanical()?.layout(self.mode)
+    }
+
+    #[inline]
+    fn mechanics(
+        &mut self,
+        tau: f64,
+        point: &MechanicalPoint<'_, M::State>,
+        out: &mut MechanicalValues,
+    ) {
+        self.derivatives += 1;
+        let input = self.input(tau);
+        if let Some(mechanical) = self.model.mechanical() {
+            mechanical.evaluate(self.mode, point, &input, out);
+        }
     }
 
     #[inline]

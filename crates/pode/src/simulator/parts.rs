@@ -66,6 +66,11 @@ impl<M: Memory, D> PartMemory<M, D> {
         self.ahead = None;
     }
 
+    #[inline]
+    pub(super) fn sets_steps(&self) -> bool {
+        self.method.sets_steps()
+    }
+
     /// Returns the longest step (s) worth trying next.
     #[inline]
     pub(super) fn reach(&self) -> f64 {

@@ -17,7 +17,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         input: &M::Input,
     ) -> (f64, f64) {
-        let own = self.model.longest_step_at(self.mode, &self.state, input);
+        let own = if self.memory.iter().any(PartMemory::sets_steps) {
+            f64::INFINITY
+        } else {
+            self.model.longest_step_at(self.mode, &self.state, input)
+        };
         let nature = self.model.nature(self.mode);
         let excess = nature.excess(own);
         let nature = nature.faster(excess);

@@ -24,8 +24,9 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     #[must_use]
     fn times(&self, a: f64) -> Self;
 
+    /// Returns the state with each entry as a function of its index and value.
     #[must_use]
-    fn magnitudes(&self) -> Self;
+    fn map_entries(&self, entry: impl FnMut(usize, f64) -> f64) -> Self;
 
     /// Returns the first `n` entries of `self` followed by the rest of `tail`.
     #[must_use]
@@ -58,8 +59,8 @@ impl<const N: usize> State for [f64; N] {
     }
 
     #[inline]
-    fn magnitudes(&self) -> Self {
-        self.map(f64::abs)
+    fn map_entries(&self, mut entry: impl FnMut(usize, f64) -> f64) -> Self {
+        core::array::from_fn(|i| entry(i, self[i]))
     }
 
     #[inline]
@@ -86,6 +87,12 @@ impl<const N: usize> State for [f64; N] {
 #[inline]
 pub(crate) fn is_finite<S: State>(x: &S) -> bool {
     x.entries().iter().all(|entry| entry.is_finite())
+}
+
+/// Returns the magnitudes of the entries.
+#[inline]
+pub(crate) fn magnitudes<S: State>(x: &S) -> S {
+    x.map_entries(|_, entry| entry.abs())
 }
 
 /// Returns the largest magnitude of the entries; NaN entries do not count.

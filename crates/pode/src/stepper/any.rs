@@ -1,11 +1,12 @@
 use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
+use crate::mechanical::{MechanicalLayout, MechanicalPoint, MechanicalValues};
 use crate::nature::Nature;
 use crate::part::Part;
 use crate::state::State;
 use crate::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dense8, Dop853, Exact,
-    ExplicitEuler, Field, Flow, FlowOrCubic, Heun, LinearImplicitMidpoint, Memory, Rk4, Rodas3,
-    SemiImplicitEuler, Step, Stepper, Tolerance, Tsitouras5, VelocityVerlet,
+    ExplicitEuler, Field, Flow, FlowOrCubic, Heun, LinearImplicitMidpoint, Memory, Newmark, Rk4,
+    Rodas3, SemiImplicitEuler, Step, Stepper, Tolerance, Tsitouras5, VelocityVerlet,
 };
 
 /// Dense output of any method.
@@ -141,6 +142,14 @@ impl<S: State> Field<S> for Erased<'_, S> {
     fn jacobian(&mut self, tau: f64, x: &S) -> S::Matrix {
         self.0.jacobian(tau, x)
     }
+
+    fn layout(&self) -> Option<&MechanicalLayout> {
+        self.0.layout()
+    }
+
+    fn mechanics(&mut self, tau: f64, point: &MechanicalPoint<'_, S>, out: &mut MechanicalValues) {
+        self.0.mechanics(tau, point, out);
+    }
 }
 
 macro_rules! any {
@@ -197,6 +206,13 @@ macro_rules! any {
                 match self {
                     Self::None => f64::INFINITY,
                     $(Self::$name(memory) => memory.reach()),+
+                }
+            }
+
+            fn sets_steps(&self) -> bool {
+                match self {
+                    Self::None => false,
+                    $(Self::$name(memory) => memory.sets_steps()),+
                 }
             }
         }
@@ -337,6 +353,7 @@ any! {
         LinearImplicitMidpoint(LinearImplicitMidpoint),
         Rodas3(Rodas3),
         Exact(Exact),
+        Newmark(Newmark),
     }
     controlled {
         ControlledBogackiShampine(Controlled<BogackiShampine>),

@@ -1,6 +1,7 @@
 //! The right-hand side over one step, for a method.
 
 use crate::math::sqrt;
+use crate::mechanical::{MechanicalLayout, MechanicalPoint, MechanicalValues};
 use crate::nature::Nature;
 use crate::state::Matrix as _;
 use crate::state::State;
@@ -19,6 +20,20 @@ pub trait Field<S: State> {
             return unit_differences(|x| self.derivative(tau, x));
         }
         differences(x, |x| self.derivative(tau, x))
+    }
+
+    /// Returns the layout of the mechanical form; `None` without one.
+    fn layout(&self) -> Option<&MechanicalLayout> {
+        None
+    }
+
+    /// Evaluates the mechanical form at the fraction `tau` of the step.
+    fn mechanics(
+        &mut self,
+        _tau: f64,
+        _point: &MechanicalPoint<'_, S>,
+        _out: &mut MechanicalValues,
+    ) {
     }
 }
 

@@ -23,6 +23,12 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     fn reach(&self) -> f64 {
         f64::INFINITY
     }
+
+    /// Returns `true` if the method sets its steps in the present mode, so the model's do not count.
+    #[inline]
+    fn sets_steps(&self) -> bool {
+        false
+    }
 }
 
 impl Memory for () {}

@@ -41,7 +41,8 @@ fn all_mistakes_come_at_once() {
             "--event-tolerance = 0 is out of range: 1e-16 to 0.5 of a tick",
             "there is no method `rk5` (did you mean `rk4`?); there are by-need, explicit-euler, \
              semi-implicit-euler, heun, velocity-verlet, adams-bashforth2, adams-bashforth3, \
-             bogacki-shampine, rk4, tsitouras5, dop853, linear-implicit-midpoint, rodas3, exact",
+             bogacki-shampine, rk4, tsitouras5, dop853, linear-implicit-midpoint, rodas3, exact, \
+              newmark",
             "--input, column 3: the input is in kg; write numbers without units, in SI",
             "--reconstruct is for an --input from a CSV file",
             "--key = 88 is out of range: 0 to 87 (A0 to C8)",

@@ -16,6 +16,15 @@ impl Tangent {
         Self { seeds: seeds.into_iter().collect(), known: HashMap::new() }
     }
 
+    /// Returns the direction with `node` taken as a constant; a symbol keeps its rate.
+    #[must_use]
+    pub fn with_constant(mut self, graph: &mut Graph, node: Node) -> Self {
+        if !matches!(graph.operation(node), NodeOperation::Symbol(_)) {
+            self.known.insert(node, graph.constant(0.0));
+        }
+        self
+    }
+
     pub fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
         if let Some(known) = self.known.get(&node) {
             return *known;

@@ -32,10 +32,16 @@ pub(super) fn contacts(
     builder: &ModeBuilder<'_>,
 ) -> Result<Vec<ContactModeTable>, AssemblyError> {
     let mut tables = Vec::new();
-    for contact in &builder.equations.contacts {
+    let mechanical = builder.equations.mechanical.as_ref();
+    for (at, contact) in builder.equations.contacts.iter().enumerate() {
         let name = builder.context.mechanism.contacts.get(contact.contact);
         let name = name.map_or("contact", |contact| contact.name.as_str());
-        tables.push(self::contact(graph, functions, builder, (name, contact))?);
+        let mut table = self::contact(graph, functions, builder, (name, contact))?;
+        if let Some(Some(values)) = mechanical.and_then(|it| it.contacts.get(at)) {
+            let what = format!("{name}_mechanics");
+            table.mechanics = Some(builder.add(graph, functions, &what, values)?);
+        }
+        tables.push(table);
     }
     Ok(tables)
 }
@@ -52,6 +58,7 @@ fn contact(
         bound: None,
         normal: None,
         jacobian: None,
+        mechanics: None,
         balance: None,
         slip: None,
         limits: None,

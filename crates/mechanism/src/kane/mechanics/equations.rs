@@ -46,11 +46,11 @@ pub(super) fn implicit(
 }
 
 impl ModeScope<'_> {
-    const fn motion(&self) -> &ModeMotion {
+    pub(super) const fn motion(&self) -> &ModeMotion {
         &self.motions[self.number]
     }
 
-    fn mode(&self) -> &Mode {
+    pub(super) fn mode(&self) -> &Mode {
         &self.mechanism.modes[self.number]
     }
 
@@ -64,6 +64,8 @@ impl ModeScope<'_> {
         let mut equations = ModeEquations::default();
         self.move_state(graph, &mut forms, &mut equations);
         self.project(graph, &mut equations);
+        let is_free = equations.is_free.clone();
+        equations.mechanical = self.mechanical(graph, &mut forms, &is_free);
         let scope = ContactScope { mechanism, inertia: self.inertia, motion, state: self.state };
         equations.contacts = scope.all(graph, &mut forms, mode);
         let stated = mode.readout.or(mechanism.input.readout);

@@ -18,6 +18,7 @@ mod kinematics;
 mod left_out;
 mod linear;
 mod mass_factor;
+mod mechanical;
 mod motion;
 mod multipliers;
 mod numeric;

@@ -27,6 +27,9 @@ pub(super) struct ModeMotion {
     /// Indices of the independent speeds without a plain equation.
     pub(super) dynamic: Vec<usize>,
     factor: MassFactor,
+    /// Mass matrix of the dynamic speeds, and the forces on them without their accelerations.
+    pub(super) mass: Vec<Vec<Node>>,
+    pub(super) right: Vec<Node>,
     pub(super) held: MultiplierRows,
     pub(super) accelerations: Vec<Node>,
     /// Reactions of the constraints, by their numbers; `None` where they are undetermined.
@@ -115,6 +118,8 @@ impl ModeMotion {
             speeds,
             dynamic,
             factor: MassFactor::default(),
+            mass: Vec::new(),
+            right: Vec::new(),
             held: MultiplierRows::default(),
             accelerations: Vec::new(),
             reactions: BTreeMap::new(),
@@ -153,6 +158,7 @@ impl ModeMotion {
                 *entry = other[i];
             }
         }
+        self.mass = matrix.clone();
         let rows: Vec<_> =
             self.speeds.held.iter().map(|row| self.reduce(graph, &row.slopes)).collect();
         let massless = |row: usize| {
@@ -265,6 +271,7 @@ impl ModeMotion {
         let drift = self.held_drift(graph, mechanism, &base);
         let free = self.solve(graph, &right, &drift);
         self.accelerations = self.expand(graph, &base, &free);
+        self.right = right;
         let mut all = self.accelerations.clone();
         all.push(graph.symbol(Place::Input(2)));
         let moved = times(graph, &inertia.mass, &all, force.len());

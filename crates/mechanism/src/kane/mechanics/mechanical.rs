@@ -1,0 +1,232 @@
+//! Mechanical form of a mode: mass matrix, forces, and the slopes of its compliant elements.
+
+use pode::{EntryRole, MAX_SPEEDS};
+
+use super::equations::ModeScope;
+use super::explicit::ExplicitForms;
+use super::kinematics::number;
+use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
+use crate::kane::mechanism::Force;
+use crate::kane::system::MechanicalEquations;
+
+/// Places of the extra arguments: the step's length, and the speeds in its middle.
+const STEP: Place = Place::Extra(0);
+
+fn middle(k: usize) -> Place {
+    Place::Extra(1 + number(k))
+}
+
+/// Lower triangles of stiffness and damping, with the stiffness rows.
+struct ElementSums {
+    stiffness: Vec<Vec<(Node, f64)>>,
+    damping: Vec<Vec<(Node, f64)>>,
+    slopes: Vec<((usize, usize), Node)>,
+}
+
+impl ElementSums {
+    fn new(speeds: usize) -> Self {
+        let packed = vec![Vec::new(); speeds * (speeds + 1) / 2];
+        Self { stiffness: packed.clone(), damping: packed, slopes: Vec::new() }
+    }
+
+    fn finish(&self, graph: &mut Graph) -> Vec<Node> {
+        self.stiffness.iter().chain(&self.damping).map(|terms| graph.sum(terms)).collect()
+    }
+}
+
+/// Slopes of an element by speeds and coordinates.
+struct ElementSlopes {
+    tension: Node,
+    /// Slopes of the stretch's rate by the speeds.
+    row: Vec<Node>,
+    /// Slopes of the tension by the coordinates, and by the speeds.
+    stiffness: Vec<Node>,
+    damping: Vec<Node>,
+}
+
+impl ModeScope<'_> {
+    /// Returns the mechanical form; `None` if a coordinate's rate is a mixture of speeds, or if
+    /// multipliers or plain equations move a speed.
+    pub(super) fn mechanical(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        is_free: &[bool],
+    ) -> Option<MechanicalEquations> {
+        let motion = self.motion();
+        let independent = &motion.speeds.independent;
+        let speeds: Vec<Place> =
+            motion.dynamic.iter().map(|k| Place::Speed(number(independent[*k]))).collect();
+        if !motion.speeds.held.is_empty() || speeds.is_empty() || speeds.len() > MAX_SPEEDS {
+            return None;
+        }
+        let roles = self.roles(graph, forms, (is_free, &speeds))?;
+        let places = coordinates(self.state, &roles, speeds.len());
+        let internal = self.internal(graph, forms, (&roles, &speeds));
+        let mut sums = ElementSums::new(speeds.len());
+        let all: Vec<_> = self.mode().forces.iter().map(|f| &self.mechanism.forces[*f]).collect();
+        for (element, force) in all.into_iter().enumerate() {
+            let slopes = slopes(graph, forms, force, (&speeds, &places));
+            enter(graph, &mut sums, &slopes);
+            let rows = slopes.stiffness.iter().enumerate().filter(|(_, it)| !graph.is_zero(**it));
+            sums.slopes.extend(rows.map(|(k, it)| ((element, k), *it)));
+        }
+        let mut values = internal.iter().map(|it| it.1).collect::<Vec<_>>();
+        for (row, entries) in motion.mass.iter().enumerate() {
+            values.extend(entries[..=row].iter().map(|it| forms.finished(graph, *it)));
+        }
+        values.extend(motion.right.iter().map(|it| forms.finished(graph, *it)));
+        values.extend(sums.finish(graph));
+        values.extend(sums.slopes.iter().map(|it| it.1));
+        let mut ends = Substitution::new(internal.iter().copied());
+        let moved = values.split_off(internal.len());
+        values.extend(moved.iter().map(|it| ends.of(graph, *it)));
+        let contacts = self.pressed(graph, forms, (&speeds, &places), &mut ends);
+        Some(MechanicalEquations {
+            roles,
+            speeds: speeds.iter().filter_map(|it| self.entry(*it)).collect(),
+            values,
+            slopes: sums.slopes.iter().map(|it| it.0).collect(),
+            contacts,
+        })
+    }
+
+    fn entry(&self, place: Place) -> Option<usize> {
+        self.state.iter().position(|it| *it == place)
+    }
+
+    fn roles(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        (is_free, speeds): (&[bool], &[Place]),
+    ) -> Option<Vec<EntryRole>> {
+        let mut internal = 0;
+        let mut roles = Vec::new();
+        for (place, is_free) in self.state.iter().zip(is_free) {
+            let speed = |place| speeds.iter().position(|it| *it == place);
+            roles.push(if !is_free {
+                EntryRole::Slaved
+            } else if let Place::Coordinate(i) = place {
+                let rate = self.mechanism.coordinates[usize::from(*i)].rate;
+                let rate = forms.finished(graph, rate);
+                let own = speeds.iter().position(|it| graph.symbol(*it) == rate);
+                if let Some(k) = own {
+                    EntryRole::Coordinate(u8::try_from(k).ok()?)
+                } else {
+                    internal += 1;
+                    EntryRole::Internal(internal - 1)
+                }
+            } else {
+                EntryRole::Speed(u8::try_from(speed(*place)?).ok()?)
+            });
+        }
+        let is_whole = (0..speeds.len()).all(|k| {
+            let own = EntryRole::Coordinate(u8::try_from(k).unwrap_or(u8::MAX));
+            roles.iter().filter(|it| **it == own).count() <= 1 && self.entry(speeds[k]).is_some()
+        });
+        is_whole.then_some(roles)
+    }
+
+    /// Returns the internal states with their values at the end of the step: of the linear rate
+    /// r − b z, with e^(−bh) by its Padé fraction.
+    fn internal(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        (roles, speeds): (&[EntryRole], &[Place]),
+    ) -> Vec<(Place, Node)> {
+        let middles = speeds.iter().enumerate();
+        let middles: Vec<_> = middles.map(|(k, place)| (*place, graph.symbol(middle(k)))).collect();
+        let mut middles = Substitution::new(middles);
+        let (one, h) = (graph.constant(1.0), graph.symbol(STEP));
+        let mut ends = Vec::new();
+        for (place, role) in self.state.iter().zip(roles) {
+            let (EntryRole::Internal(_), Place::Coordinate(i)) = (role, place) else { continue };
+            let rate = forms.finished(graph, self.mechanism.coordinates[usize::from(*i)].rate);
+            let rate = middles.of(graph, rate);
+            let slope = graph.partial(rate, *place);
+            let u = graph.multiply(h, slope);
+            let square = graph.power(u, 2);
+            let under = graph.sum(&[(one, 1.0), (u, -0.5), (square, 1.0 / 12.0)]);
+            let rise = graph.product(&[(h, 1), (rate, 1), (under, -1)]);
+            let symbol = graph.symbol(*place);
+            ends.push((*place, graph.add(symbol, rise)));
+        }
+        ends
+    }
+
+    /// Returns what each closed contact adds to forces, stiffness and damping, then its stiffness row.
+    fn pressed(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        (speeds, places): (&[Place], &[Option<Place>]),
+        ends: &mut Substitution,
+    ) -> Vec<Option<Vec<Node>>> {
+        let mut all = Vec::new();
+        for contact in self.mode().contacts.iter().map(|c| &self.mechanism.contacts[*c]) {
+            let pressing = contact.force.as_ref().filter(|_| contact.friction.is_none());
+            all.push(pressing.map(|force| {
+                let slopes = slopes(graph, forms, force, (speeds, places));
+                let mut sums = ElementSums::new(speeds.len());
+                enter(graph, &mut sums, &slopes);
+                let mut values = Vec::new();
+                for slope in &slopes.row {
+                    let pull = graph.multiply(slopes.tension, *slope);
+                    values.push(graph.negate(pull));
+                }
+                values.extend(sums.finish(graph));
+                values.extend(&slopes.stiffness);
+                values.iter().map(|it| ends.of(graph, *it)).collect()
+            }));
+        }
+        all
+    }
+}
+
+/// Returns the coordinate of each speed, if it has one.
+fn coordinates(state: &[Place], roles: &[EntryRole], speeds: usize) -> Vec<Option<Place>> {
+    let own = |k: usize| {
+        let is_own =
+            |role: &EntryRole| matches!(role, EntryRole::Coordinate(it) if usize::from(*it) == k);
+        Some(state[roles.iter().position(is_own)?])
+    };
+    (0..speeds).map(own).collect()
+}
+
+/// Returns the slopes of a force. The stretch's rate counts as constant along the coordinates: a
+/// matter of the geometry's bending, far below the element's stiffness.
+fn slopes(
+    graph: &mut Graph,
+    forms: &mut ExplicitForms,
+    force: &Force,
+    (speeds, places): (&[Place], &[Option<Place>]),
+) -> ElementSlopes {
+    let (one, zero) = (graph.constant(1.0), graph.constant(0.0));
+    let tension = forms.finished(graph, force.tension);
+    let rate = forms.finished(graph, force.stretch_rate);
+    let row = speeds.iter().map(|it| graph.partial(rate, *it)).collect();
+    let damping = speeds.iter().map(|it| graph.partial(tension, *it)).collect();
+    let mut stiffness = Vec::new();
+    for place in places {
+        stiffness.push(place.map_or(zero, |place| {
+            Tangent::new([(place, one)]).with_constant(graph, rate).of(graph, tension)
+        }));
+    }
+    ElementSlopes { tension, row, stiffness, damping }
+}
+
+/// Adds the products of row and slopes to the lower triangles.
+fn enter(graph: &mut Graph, sums: &mut ElementSums, slopes: &ElementSlopes) {
+    let mut at = 0;
+    for (i, row) in slopes.row.iter().enumerate() {
+        for j in 0..=i {
+            let both = [slopes.stiffness[j], slopes.damping[j]];
+            let [stiffness, damping] = both.map(|it| (graph.multiply(*row, it), 1.0));
+            sums.stiffness[at].push(stiffness);
+            sums.damping[at].push(damping);
+            at += 1;
+        }
+    }
+}
