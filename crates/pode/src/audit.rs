@@ -127,13 +127,15 @@ impl EnergyAudit {
         (start, end): (EnergyBalance, EnergyBalance),
     ) {
         let mode = piece.mode;
-        let (x, input) = piece.middle(model);
         let start = start + model.balance_of_input(mode, &piece.start, &piece.inputs[0]);
-        let middle = model.balance_of_state(mode, &x) + model.balance_of_input(mode, &x, &input);
+        let middle = piece.is_audited_inside.then(|| {
+            let (x, input) = piece.middle(model);
+            model.balance_of_state(mode, &x) + model.balance_of_input(mode, &x, &input)
+        });
         let end = end + model.balance_of_input(mode, &piece.end, &piece.inputs[1]);
         let h = piece.duration();
-        let supplied = h * mean(start.supplied, middle.supplied, end.supplied);
-        let dissipated = h * mean(start.dissipated, middle.dissipated, end.dissipated);
+        let supplied = h * mean(start.supplied, middle.map(|it| it.supplied), end.supplied);
+        let dissipated = h * mean(start.dissipated, middle.map(|it| it.dissipated), end.dissipated);
         self.supplied += supplied;
         self.dissipated += dissipated;
         let jump = self.rise_to(start.energy);
@@ -165,9 +167,10 @@ impl EnergyAudit {
     }
 }
 
-/// Simpson's rule, of the same order as the dense output.
+/// Simpson's rule, of the same order as the dense output; the trapezoidal rule without a middle.
 #[inline]
-fn mean(start: f64, middle: f64, end: f64) -> f64 {
+fn mean(start: f64, middle: Option<f64>, end: f64) -> f64 {
+    let middle = middle.unwrap_or_else(|| 0.5 * (start + end));
     (start + 4.0 * middle + end) / 6.0
 }
 
@@ -230,8 +233,9 @@ impl<M: Energetic> Watch<M> for Auditor<M> {
         let start =
             if is_known { self.balance } else { balance_anew(model, piece.mode, piece.start) };
         let end = model.balance_of_state(piece.mode, &piece.end);
-        // Three of the input; of the state in the middle, at the end and, if unknown, at the start.
-        self.evaluations += 5 + u64::from(!is_known);
+        // Of input and state at each place, and of the state at the start if it is unknown.
+        let inside = if piece.is_audited_inside { 2 } else { 0 };
+        self.evaluations += 3 + inside + u64::from(!is_known);
         self.sums.add_piece(model, piece, (start, end));
         (self.mode, self.state, self.balance) = (Some(piece.mode), piece.end, end);
     }

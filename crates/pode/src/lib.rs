@@ -78,10 +78,7 @@ pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS, Reads};
 pub use input::{Motion, Signal};
 pub use limits::{Limits, WorkLimit};
 pub use locate::{Bracket, Located, locate};
-pub use mechanical::{
-    EntryRole, MAX_INTERNAL, MAX_SLOPES, MAX_SPEEDS, Mechanical, MechanicalLayout, MechanicalPoint,
-    MechanicalValues, SpeedMatrix,
-};
+pub use mechanical::{MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalStep, PressedContact};
 
 pub use model::{Guarded, Model, Reset, Resets, Settling};
 pub use nature::{EquationKind, Nature};

@@ -21,6 +21,7 @@ pub struct Piece<'a, M: Model, S> {
     pub end: M::State,
     pub inputs: [M::Input; 2],
     pub(crate) middle: Option<(M::State, M::Input)>,
+    pub(crate) is_audited_inside: bool,
     /// Begin of the piece within its tick, and end of the whole step.
     pub theta: (f64, f64),
     pub tick: u64,

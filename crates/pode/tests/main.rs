@@ -36,7 +36,6 @@ mod known;
 mod long_run;
 mod machinery;
 mod maxima;
-mod newmark;
 mod order;
 mod parts;
 mod pendulum;

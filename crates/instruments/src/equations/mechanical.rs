@@ -1,87 +1,110 @@
-//! The mechanical form of a table's modes, for methods that use the mass matrix.
+//! Steps in the mechanical form of a table's modes.
 
-use pode::contacts::ContactMode;
-use pode::{Mechanical, MechanicalLayout, MechanicalPoint, MechanicalValues, Motion};
+use pode::contacts::{ContactIndices, ContactMode, ContactSet};
+use pode::{Cubic, MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalStep, Motion, PressedContact};
 
 use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::{EquationModel, rates_of};
-use crate::equations::table::{Equations, FunctionId};
+use crate::equations::table::{Equations, MechanicsLayout as Layout, MechanicsTable};
 
-/// Count of the extra arguments: the step's length, then its middle speeds.
-const EXTRA: usize = 1 + pode::MAX_SPEEDS;
+/// Maximum number of values of a contact: those that it adds, and its stiffness row.
+const MAX_ADDED: usize = 2 * MAX_SPEEDS + 2 * Layout::packed(MAX_SPEEDS);
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    #[inline]
-    fn call_at(
+    /// Takes a step with these contacts closed, whose slopes are known.
+    fn mechanical_step(
         &self,
-        function: FunctionId,
-        point: &MechanicalPoint<'_, [f64; N]>,
+        (mode, closed): (ModeNumber, ContactIndices),
+        x: &[f64; N],
         input: &Motion,
-        out: &mut [f64],
-    ) {
-        let mut extra = [point.h; EXTRA];
-        for (place, speed) in extra.iter_mut().skip(1).zip(&point.middle) {
-            *place = *speed;
+        step: &MechanicalStep,
+    ) -> Option<MechanicalEnd<[f64; N]>> {
+        let mechanics = self.mode_table(mode).mechanics.as_ref()?;
+        let input = rates_of(input);
+        let mut extra = [0.0; Layout::COUNT];
+        extra[Layout::STEP] = step.h;
+        extra[Layout::ACCELERATION..Layout::CONTACTS].copy_from_slice(&step.acceleration);
+        let mut predicted = [0.0; N];
+        self.call_with(mechanics.prediction, (x, &input), &extra, &mut predicted);
+        let (head, values) = extra.split_at_mut(Layout::VALUES);
+        self.call_with(mechanics.values, (&predicted, &input), head, values);
+        for contact in closed {
+            let function = self.contact(mode, contact).and_then(|it| it.mechanics)?;
+            let mut added = [0.0; MAX_ADDED];
+            self.call_with(function, (&predicted, &input), head, &mut added);
+            mechanics.press(&added, head, values);
         }
-        self.call_with(function, (point.state, &rates_of(input)), &extra, out);
+        let mut out = [[0.0; N]; 6];
+        self.call_with(mechanics.correction, (x, &input), &extra, out.as_flattened_mut());
+        Some(self.mechanical_end(mechanics, (x, out.as_flattened()), closed))
+    }
+
+    fn mechanical_end(
+        &self,
+        mechanics: &MechanicsTable,
+        (x, out): (&[f64; N], &[f64]),
+        closed: ContactIndices,
+    ) -> MechanicalEnd<[f64; N]> {
+        let count = self.table().states.len();
+        let mut states = [[0.0; N]; 4];
+        for (state, part) in states.iter_mut().zip(out.chunks_exact(count)) {
+            state[..count].copy_from_slice(part);
+        }
+        let [end, linear, square, cube] = states;
+        let rest = out.get(4 * count..).unwrap_or_default();
+        let number = |i: usize| rest.get(i).copied().unwrap_or(0.0);
+        let n = mechanics.speeds;
+        let acceleration = core::array::from_fn(|k| if k < n { number(k) } else { 0.0 });
+        let contact = PressedContact { error: number(n + 1), rate: number(n + 2) };
+        MechanicalEnd {
+            dense: Cubic::new([*x, linear, square, cube], end),
+            acceleration,
+            error: number(n),
+            contact: (!closed.is_empty()).then_some(contact),
+        }
+    }
+}
+
+impl MechanicsTable {
+    /// Adds what a closed contact contributes to the values, and the magnitudes of its stiffness
+    /// row.
+    fn press(&self, added: &[f64; MAX_ADDED], head: &mut [f64], values: &mut [f64]) {
+        let own = values.iter_mut().skip(self.first_added());
+        own.zip(added).take(self.added()).for_each(|(value, more)| *value += more);
+        let row = added.iter().skip(self.added()).take(self.speeds);
+        let sums = head.iter_mut().skip(Layout::CONTACTS);
+        sums.zip(row).for_each(|(sum, slope)| *sum += slope.abs());
     }
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> Mechanical<ModeNumber, [f64; N], Motion>
     for EquationModel<F, N, C>
 {
-    #[inline]
-    fn layout(&self, mode: ModeNumber) -> Option<&MechanicalLayout> {
-        self.mode_table(mode).mechanics.as_ref().map(|it| &it.layout)
-    }
-
-    #[inline]
-    fn evaluate(
+    fn step(
         &self,
         mode: ModeNumber,
-        point: &MechanicalPoint<'_, [f64; N]>,
+        x: &[f64; N],
         input: &Motion,
-        out: &mut MechanicalValues,
-    ) {
-        if let Some(mechanics) = &self.mode_table(mode).mechanics {
-            self.call_at(mechanics.values, point, input, &mut out.numbers);
-            out.contacts = None;
-        }
+        step: &MechanicalStep,
+    ) -> Option<MechanicalEnd<[f64; N]>> {
+        self.mechanical_step((mode, ContactSet::OPEN.closed()), x, input, step)
     }
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize>
     Mechanical<ContactMode<ModeNumber>, [f64; N], Motion> for EquationModel<F, N, C>
 {
-    /// Returns the structure's layout; `None` if a friction sticks or slides, or if a closed
-    /// contact has no slopes.
-    #[inline]
-    fn layout(&self, mode: ContactMode<ModeNumber>) -> Option<&MechanicalLayout> {
-        let ContactMode { structure, contacts } = mode;
-        let is_still = contacts.sticking().is_empty() && contacts.sliding().is_empty();
-        let has_slopes =
-            |contact| self.contact(structure, contact).is_none_or(|it| it.mechanics.is_some());
-        let is_mechanical = is_still && contacts.closed().into_iter().all(has_slopes);
-        Mechanical::<ModeNumber, _, _>::layout(self, structure).filter(|_| is_mechanical)
-    }
-
-    #[inline]
-    fn evaluate(
+    /// Returns `None` also where a friction sticks or slides, or a closed contact has no slopes.
+    fn step(
         &self,
         mode: ContactMode<ModeNumber>,
-        point: &MechanicalPoint<'_, [f64; N]>,
+        x: &[f64; N],
         input: &Motion,
-        out: &mut MechanicalValues,
-    ) {
+        step: &MechanicalStep,
+    ) -> Option<MechanicalEnd<[f64; N]>> {
         let ContactMode { structure, contacts } = mode;
-        Mechanical::<ModeNumber, _, _>::evaluate(self, structure, point, input, out);
-        let Some(mechanics) = &self.mode_table(structure).mechanics else { return };
-        for contact in contacts.closed() {
-            let function = self.contact(structure, contact).and_then(|it| it.mechanics);
-            let Some(function) = function else { continue };
-            let mut added = [0.0; MechanicalLayout::MAX_ADDED];
-            self.call_at(function, point, input, &mut added);
-            out.add_contact(&mechanics.layout, &added);
-        }
+        let is_still = contacts.sticking().is_empty() && contacts.sliding().is_empty();
+        let step = Some(step).filter(|_| is_still)?;
+        self.mechanical_step((structure, contacts.closed()), x, input, step)
     }
 }

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 
 use pode::contacts::ContactSpec;
 use pode::contacts::restitution::ImpactLaw;
-use pode::{Enclosure, EquationKind, Fires, GuardSpec, MechanicalLayout, Motion, Part, Reads};
+use pode::{Enclosure, EquationKind, Fires, GuardSpec, MAX_SPEEDS, Motion, Part, Reads};
 
 /// Number of a function of a model.
 pub type FunctionId = u16;
@@ -295,13 +295,54 @@ impl ModeTable {
     };
 }
 
-/// The mechanical form of a mode.
-#[derive(Clone, Copy, PartialEq, Debug)]
+/// The mechanical form of a mode, with numbers in `extra` by [`MechanicsLayout`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct MechanicsTable {
-    pub layout: MechanicalLayout,
-    /// Computes the values in the order of [`pode::MechanicalValues`]; `extra` holds the length of
-    /// the step and the speeds in its middle.
+    /// Predicts coordinates and speeds at the end of a step from the state at its start.
+    pub prediction: FunctionId,
+    /// Computes the values at the predicted state: internal states at the step's end, the lower
+    /// triangle of M, Q, the lower triangles of K = −∂Q/∂q and D = −∂Q/∂u, and the stiffness rows
+    /// ∂f/∂q of the elements.
     pub values: FunctionId,
+    /// Computes from the state at the step's start and the values: the state at its end, the terms
+    /// of τ, τ² and τ³ of the cubic to it, the accelerations, the error, and error and rate
+    /// of the closed contacts.
+    pub correction: FunctionId,
+    pub speeds: usize,
+    pub internal: usize,
+}
+
+/// Layout of a mechanical step's numbers in `extra`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct MechanicsLayout;
+
+impl MechanicsLayout {
+    pub const STEP: usize = 0;
+    /// First acceleration.
+    pub const ACCELERATION: usize = 1;
+    /// First sum of magnitudes of the closed contacts' stiffness rows.
+    pub const CONTACTS: usize = Self::ACCELERATION + MAX_SPEEDS;
+    /// First value.
+    pub const VALUES: usize = Self::CONTACTS + MAX_SPEEDS;
+    pub const MAX_VALUES: usize = 160;
+    pub const COUNT: usize = Self::VALUES + Self::MAX_VALUES;
+
+    /// Returns the number of entries of a lower triangle of `n` rows.
+    pub const fn packed(n: usize) -> usize {
+        n * (n + 1) / 2
+    }
+}
+
+impl MechanicsTable {
+    /// Returns the index of the first value that a contact adds: to Q.
+    pub const fn first_added(&self) -> usize {
+        self.internal + MechanicsLayout::packed(self.speeds)
+    }
+
+    /// Returns the number of values that a contact adds: to Q, K and D.
+    pub const fn added(&self) -> usize {
+        self.speeds + 2 * MechanicsLayout::packed(self.speeds)
+    }
 }
 
 /// Coordinates n, constraints m and independent speeds p = n − m of a mode. `[GC93]` table 1.

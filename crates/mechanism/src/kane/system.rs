@@ -4,8 +4,6 @@
 //! and reactions are eliminated. Coordinates that are solved in every mode are no entries of the
 //! state.
 
-use pode::EntryRole;
-
 use crate::kane::graph::{Node, Place};
 use crate::kane::mechanism::{Fires, GuardBranch, Mechanism};
 
@@ -52,14 +50,24 @@ pub struct ModeEquations {
     pub impacts: Option<ImpactEquations>,
 }
 
-/// Mechanical form of a mode, over the state, the step's length and its middle speeds.
+/// Role of a state's entry in a mechanical form; the numbers count speeds and internal states.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum EntryRole {
+    /// Coordinate with the rate of this speed.
+    Coordinate(usize),
+    Speed(usize),
+    Internal(usize),
+    /// Set by the mode's constraints.
+    Slaved,
+}
+
+/// Mechanical form of a mode, over the state, the step's length and its accelerations.
 #[derive(Clone, Debug)]
 pub struct MechanicalEquations {
     /// Role of each entry of the state.
     pub roles: Vec<EntryRole>,
-    /// Entries of the state that are the speeds.
-    pub speeds: Vec<usize>,
-    /// Values in the order of [`MechanicalValues`](pode::MechanicalValues).
+    pub speeds: usize,
+    /// Values at the predicted state, see [`MechanicsTable`](instruments::equations::table::MechanicsTable).
     pub values: Vec<Node>,
     /// Element and speed of each stiffness slope.
     pub slopes: Vec<(usize, usize)>,

@@ -102,17 +102,17 @@ fn a_loud_stroke_is_that_of_fine_steps_and_makes_no_energy() {
     assert!(most <= Some(6), "{most:?} evaluations in a tick");
 }
 
-#[test]
-fn a_mode_with_dry_friction_is_stepped_by_rk4() {
-    let rubbing = described(
+/// Returns a mass of 1 kg between a spring to the input and nothing else.
+fn oscillator(stiffness: f64, loss: f64, more: &str) -> WithContacts<Run<2>> {
+    let text = format!(
         r#"
-name = "rubbing"
-summary = "a mass that is drawn over a table"
-coordinates.x = { unit = "m", range = ["-1 m", "1 m"], speed_range = ["-10 m/s", "10 m/s"] }
-frames.mass = { in = "ground", origin = ["x", "0 m"] }
-bodies.mass = { frame = "mass", mass = "0.5 kg" }
-springs.spring = { stretch = "s - x", stiffness = "80 N/m" }
-frictions.bearing = { slip = "x'", stiction = "2 N", kinetic = "1.5 N" }
+name = "oscillator"
+summary = "a mass on a spring"
+coordinates.x = {{ unit = "m", range = ["-1 m", "1 m"], speed_range = ["-10 m/s", "10 m/s"] }}
+frames.mass = {{ in = "ground", origin = ["x", "0 m"] }}
+bodies.mass = {{ frame = "mass", mass = "1 kg" }}
+springs.spring = {{ stretch = "x - s", stiffness = "{stiffness:?} N/m", damping = "{loss:?} N*s/m" }}
+{more}
 [input]
 name = "s"
 unit = "m"
@@ -122,10 +122,109 @@ per_metre = "1"
 
 [rest]
 mode = "only"
-"#,
+"#
     );
-    let model: Run<2> = model(rubbing, (0, 0));
-    let model = WithContacts::new(model).expect("few guards");
+    let model: Run<2> = model(described(&text), (0, 0));
+    WithContacts::new(model).expect("few guards")
+}
+
+/// Returns the states at the ends of `n` ticks of `h` (s), from x = 1 m at rest.
+fn states(
+    model: &WithContacts<Run<2>>,
+    input: impl Fn(f64) -> Motion + Copy,
+    (h, n): (f64, usize),
+) -> Vec<[f64; 2]> {
+    let (mode, _) = model.start(ModeNumber(0), &[0.0; 2], &input(0.0));
+    let method = Newmark { tolerance: f64::INFINITY };
+    let mut simulator = Simulator::new(*model, method, Limits::default(), mode, [1.0, 0.0]);
+    let one = |tick: usize| {
+        let line = |at: usize| (tick + at) as f64 * h;
+        let outcome = simulator.run(line(1), h, input, &mut pode::Silent);
+        assert!(outcome.is_completed());
+        *simulator.state()
+    };
+    (0..n).map(one).collect()
+}
+
+/// Returns the rate of an undamped motion in steps of `h`: 2 cos ωh = (x₊ + x₋)/x.
+fn rate(states: &[[f64; 2]], h: f64) -> f64 {
+    let (mut over, mut under) = (0.0, 0.0);
+    for window in states.windows(3) {
+        over += (window[0][0] + window[2][0]) * window[1][0];
+        under += 2.0 * window[1][0].powi(2);
+    }
+    (over / under).acos() / h
+}
+
+const fn still(_: f64) -> Motion {
+    Motion { position: 0.0, rate: 0.0, acceleration: 0.0, jerk: 0.0 }
+}
+
+#[test]
+fn a_driven_and_damped_motion_has_order_two() {
+    // x'' + 2d x' + w² x = w² s + 2d s' with s = sin 1000 t.
+    const W: f64 = 5e3;
+    const D: f64 = 1e3;
+    const P: f64 = 1e3;
+    let input = |t: f64| Motion {
+        position: (P * t).sin(),
+        rate: P * (P * t).cos(),
+        acceleration: -P * P * (P * t).sin(),
+        jerk: -P * P * P * (P * t).cos(),
+    };
+    let exact = |t: f64| {
+        let (a, b, f) = (W * W - P * P, 2.0 * D * P, W * W);
+        let sine = (f * a + b * b) / (a * a + b * b);
+        let cosine = (b * a - f * b) / (a * a + b * b);
+        let w = (W * W - D * D).sqrt();
+        let c = 1.0 - cosine;
+        let s = (D * c - P * sine) / w;
+        (-D * t).exp() * (c * (w * t).cos() + s * (w * t).sin())
+            + sine * (P * t).sin()
+            + cosine * (P * t).cos()
+    };
+    let model = oscillator(W * W, 2.0 * D, "");
+    let error = |n: usize| {
+        let states = states(&model, input, (1e-3 / n as f64, n));
+        (states[n - 1][0] - exact(1e-3)).abs()
+    };
+    let errors = [32, 64, 128].map(error);
+    for pair in errors.windows(2) {
+        let order = (pair[0] / pair[1]).log2();
+        assert!((order - 2.0).abs() < 0.1, "{errors:?}: order {order}");
+    }
+}
+
+#[test]
+fn the_frequency_of_an_oscillator_errs_by_the_fourth_power_of_the_step() {
+    const OMEGA: f64 = 8e3;
+    let model = oscillator(OMEGA * OMEGA, 0.0, "");
+    for radians in [0.4, 0.8] {
+        let h = radians / OMEGA;
+        let states = states(&model, still, (h, 400));
+        let error = rate(&states[20..], h) / OMEGA - 1.0;
+        let expected = radians.powi(4) / 480.0;
+        assert!((error.abs() / expected - 1.0).abs() < 0.1, "{radians}: {error} for {expected}");
+    }
+}
+
+#[test]
+fn a_spring_of_any_stiffness_is_stable_and_loses_nothing() {
+    for radians in [2.0_f64, 2.4, 2.5, 3.0, 10.0, 1e3, 1e6] {
+        let h = 6e-5;
+        let model = oscillator((radians / h).powi(2), 0.0, "");
+        let states = states(&model, still, (h, 2000));
+        let most = states.iter().fold(0.0, |most: f64, x| most.max(x[0].abs()));
+        assert!(most < 3.0, "{radians} rad a step: {most}");
+        let last = states[1000..].iter().fold(0.0, |most: f64, x| most.max(x[0].abs()));
+        assert!(last > 0.3, "{radians} rad a step: {last} is left");
+    }
+}
+
+#[test]
+fn a_mode_with_dry_friction_is_stepped_by_rk4() {
+    let bearing = r#"frictions.bearing = { slip = "x'", stiction = "2 N", kinetic = "1.5 N" }"#;
+    let model = oscillator(80.0, 0.0, bearing);
     let input = |t: f64| press(0.1, 0.05, t);
     let (mode, x) = model.start(ModeNumber(0), &[0.0; 2], &Motion::default());
     let run = |method: &str| {

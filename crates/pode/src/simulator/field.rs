@@ -1,7 +1,7 @@
 //! One mode's equations over one step, with counted evaluations.
 
 use crate::input::Signal;
-use crate::mechanical::{MechanicalLayout, MechanicalPoint, MechanicalValues};
+use crate::mechanical::{MechanicalEnd, MechanicalStep};
 use crate::model::{Guarded, Model};
 use crate::nature::Nature;
 use crate::outcome::Work;
@@ -125,22 +125,16 @@ impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
     }
 
     #[inline]
-    fn layout(&self) -> Option<&MechanicalLayout> {
-        self.model.mechanical()?.layout(self.mode)
-    }
-
-    #[inline]
-    fn mechanics(
+    fn mechanical_step(
         &mut self,
-        tau: f64,
-        point: &MechanicalPoint<'_, M::State>,
-        out: &mut MechanicalValues,
-    ) {
-        self.derivatives += 1;
-        let input = self.input(tau);
-        if let Some(mechanical) = self.model.mechanical() {
-            mechanical.evaluate(self.mode, point, &input, out);
-        }
+        x: &M::State,
+        step: &MechanicalStep,
+    ) -> Option<MechanicalEnd<M::State>> {
+        let mechanical = self.model.mechanical()?;
+        let input = self.input(if step.h > 0.0 { 1.0 } else { 0.0 });
+        let end = mechanical.step(self.mode, x, &input, step);
+        self.derivatives += u32::from(end.is_some());
+        end
     }
 
     #[inline]

@@ -1,5 +1,5 @@
 use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
-use crate::mechanical::{MechanicalLayout, MechanicalPoint, MechanicalValues};
+use crate::mechanical::{MechanicalEnd, MechanicalStep};
 use crate::nature::Nature;
 use crate::part::Part;
 use crate::state::State;
@@ -143,12 +143,8 @@ impl<S: State> Field<S> for Erased<'_, S> {
         self.0.jacobian(tau, x)
     }
 
-    fn layout(&self) -> Option<&MechanicalLayout> {
-        self.0.layout()
-    }
-
-    fn mechanics(&mut self, tau: f64, point: &MechanicalPoint<'_, S>, out: &mut MechanicalValues) {
-        self.0.mechanics(tau, point, out);
+    fn mechanical_step(&mut self, x: &S, step: &MechanicalStep) -> Option<MechanicalEnd<S>> {
+        self.0.mechanical_step(x, step)
     }
 }
 
@@ -288,6 +284,12 @@ macro_rules! any {
             fn aims(&self, nature: &Nature) -> bool {
                 match self {
                     $(Self::$name(stepper) => stepper.aims(nature)),+
+                }
+            }
+
+            fn is_audited_inside(&self) -> bool {
+                match self {
+                    $(Self::$name(stepper) => stepper.is_audited_inside()),+
                 }
             }
 

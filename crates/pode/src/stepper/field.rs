@@ -1,7 +1,7 @@
 //! The right-hand side over one step, for a method.
 
 use crate::math::sqrt;
-use crate::mechanical::{MechanicalLayout, MechanicalPoint, MechanicalValues};
+use crate::mechanical::{MechanicalEnd, MechanicalStep};
 use crate::nature::Nature;
 use crate::state::Matrix as _;
 use crate::state::State;
@@ -22,18 +22,9 @@ pub trait Field<S: State> {
         differences(x, |x| self.derivative(tau, x))
     }
 
-    /// Returns the layout of the mechanical form; `None` without one.
-    fn layout(&self) -> Option<&MechanicalLayout> {
+    /// Takes a step in mechanical form from `x`, the state at the step's start; `None` without one.
+    fn mechanical_step(&mut self, _x: &S, _step: &MechanicalStep) -> Option<MechanicalEnd<S>> {
         None
-    }
-
-    /// Evaluates the mechanical form at the fraction `tau` of the step.
-    fn mechanics(
-        &mut self,
-        _tau: f64,
-        _point: &MechanicalPoint<'_, S>,
-        _out: &mut MechanicalValues,
-    ) {
     }
 }
 

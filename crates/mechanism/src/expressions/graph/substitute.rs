@@ -7,16 +7,32 @@ use super::{Graph, Node, NodeOperation, Place};
 pub struct Substitution {
     by: HashMap<Place, Node>,
     known: HashMap<Node, Node>,
+    /// Sums, which are also replaced within longer ones.
+    sums: Vec<(SumTerms, Node)>,
 }
+
+/// Number and terms of a sum.
+type SumTerms = (f64, Vec<(Node, f64)>);
 
 impl Substitution {
     pub fn new(by: impl IntoIterator<Item = (Place, Node)>) -> Self {
-        Self { by: by.into_iter().collect(), known: HashMap::new() }
+        Self { by: by.into_iter().collect(), known: HashMap::new(), sums: Vec::new() }
     }
 
     /// Replaces also `node`, which is not a symbol, by `by`.
     pub fn set(&mut self, node: Node, by: Node) {
         self.known.insert(node, by);
+    }
+
+    /// Replaces also `node` by `by`, and multiples of it within sums.
+    pub fn set_within_sums(&mut self, graph: &mut Graph, node: Node, by: Node) {
+        self.set(node, by);
+        let opposite = graph.negate(node);
+        let negative = graph.negate(by);
+        self.set(opposite, negative);
+        if let NodeOperation::Sum(number, terms) = graph.operation(node) {
+            self.sums.push((sum_terms(*number, terms), by));
+        }
     }
 
     /// Returns `node` with the symbols replaced; their replacements are not searched again.
@@ -39,11 +55,14 @@ impl Substitution {
             NodeOperation::Number(_) => node,
             NodeOperation::Symbol(place) => self.by.get(&place).copied().unwrap_or(node),
             NodeOperation::Sum(number, terms) => {
-                let number = graph.constant(f64::from_bits(number));
-                let mut terms: Vec<_> =
-                    terms.iter().map(|(it, by)| (new(it), f64::from_bits(*by))).collect();
-                terms.push((number, 1.0));
-                graph.sum(&terms)
+                let (mut sum, mut all) = (sum_terms(number, &terms), Vec::new());
+                for (part, by) in &self.sums {
+                    all.extend(take_multiple(&mut sum, part).map(|factor| (*by, factor)));
+                }
+                let (number, terms) = sum;
+                all.extend(terms.iter().map(|(it, by)| (new(it), *by)));
+                all.push((graph.constant(number), 1.0));
+                graph.sum(&all)
             }
             NodeOperation::Product(factors) => {
                 let factors: Vec<_> = factors.iter().map(|(it, by)| (new(it), *by)).collect();
@@ -56,4 +75,28 @@ impl Substitution {
             }
         }
     }
+}
+
+fn sum_terms(number: u64, terms: &[(Node, u64)]) -> SumTerms {
+    let terms = terms.iter().map(|(node, factor)| (*node, f64::from_bits(*factor)));
+    (f64::from_bits(number), terms.collect())
+}
+
+/// Takes a multiple of `part` out of a sum that has all its terms in one proportion; returns the
+/// factor.
+fn take_multiple((number, terms): &mut SumTerms, part: &SumTerms) -> Option<f64> {
+    const ROUNDING: f64 = 1e-12;
+    let found = |(node, _): &(Node, f64)| terms.iter().find(|it| it.0 == *node).map(|it| it.1);
+    let first = part.1.first()?;
+    let factor = found(first)? / first.1;
+    let is_multiple = part
+        .1
+        .iter()
+        .all(|it| found(it).is_some_and(|own| (own - factor * it.1).abs() <= ROUNDING * own.abs()));
+    if !is_multiple {
+        return None;
+    }
+    *number -= factor * part.0;
+    terms.retain(|(node, _)| part.1.iter().all(|it| it.0 != *node));
+    Some(factor)
 }

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use instruments::MAX_CODED_CONTACTS;
-use instruments::equations::table::{Arguments, EnclosureLayout, FunctionId, Functions};
+use instruments::equations::table::{
+    Arguments, EnclosureLayout, FunctionId, Functions, MechanicsLayout,
+};
 
 use super::AssemblyError;
 use super::hoist::Hoisting;
@@ -83,6 +85,9 @@ impl FunctionList {
                 let number = u16::try_from(number(entry)).unwrap_or(u16::MAX);
                 layout.place(Place::Extra(number), Argument::Extra(number));
             }
+        }
+        for number in (0..).take(MechanicsLayout::COUNT) {
+            layout.place(Place::Extra(number), Argument::Extra(number));
         }
         let sides = 0..MAX_CODED_CONTACTS;
         for number in sides.chain([EnclosureLayout::step(), EnclosureLayout::input_start()]) {

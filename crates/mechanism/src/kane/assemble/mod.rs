@@ -13,6 +13,7 @@ mod guards;
 mod hoist;
 mod jacobian;
 mod kinds;
+mod mechanics;
 mod modes;
 mod moving;
 mod names;

@@ -1,10 +1,8 @@
 //! The table of one mode.
 
-use instruments::equations::table::{
-    ConstraintTable, ForceTable, Freedom, FunctionId, MechanicsTable, ModeTable,
-};
+use instruments::equations::table::{ConstraintTable, ForceTable, Freedom, FunctionId, ModeTable};
 
-use pode::{EntryRole, EquationKind, MechanicalLayout};
+use pode::EquationKind;
 
 use super::builder::{ModeBuilder, ModeContext};
 use super::functions::FunctionList;
@@ -12,7 +10,7 @@ use super::jacobian::StateOfMode;
 use super::kinds::{LossKind, is_linear_in_state, is_of_input, is_stiffening, kind_of};
 use super::moving::Moving;
 use super::parts::parts;
-use super::{AssemblyError, contacts, guards, names};
+use super::{AssemblyError, contacts, guards, mechanics, names};
 use crate::kane::graph::{Graph, Place};
 use crate::kane::mechanism::{ConstraintKind, Mechanism};
 
@@ -34,7 +32,7 @@ pub(super) fn mode(
     Ok(ModeTable {
         name: names::name(name),
         forces,
-        mechanics: mechanics(graph, functions, &builder)?,
+        mechanics: mechanics::mechanics(graph, functions, &builder)?,
         guards,
         guard_specs,
         contacts,
@@ -96,39 +94,6 @@ fn motion(
         is_stiffening: is_stiffening(graph, &rows, builder.context.places),
         ..ModeTable::NOTHING
     })
-}
-
-/// Returns the mechanical form, without any switch between two sides of the equations.
-fn mechanics(
-    graph: &mut Graph,
-    functions: &mut FunctionList,
-    builder: &ModeBuilder<'_>,
-) -> Result<Option<MechanicsTable>, AssemblyError> {
-    let equations = builder.equations;
-    let Some(form) = equations.mechanical.as_ref().filter(|_| equations.averaged.is_empty()) else {
-        return Ok(None);
-    };
-    let mut layout = MechanicalLayout {
-        speeds: form.speeds.len(),
-        internal: form.roles.iter().filter(|it| matches!(it, EntryRole::Internal(_))).count(),
-        slope_count: form.slopes.len(),
-        ..MechanicalLayout::EMPTY
-    };
-    if !layout.fits() {
-        return Ok(None);
-    }
-    let count = |it: usize| u8::try_from(it).unwrap_or(u8::MAX);
-    for (to, role) in layout.roles.iter_mut().zip(&form.roles) {
-        *to = *role;
-    }
-    for (to, entry) in layout.entries.iter_mut().zip(&form.speeds) {
-        *to = count(*entry);
-    }
-    for (to, (element, speed)) in layout.slopes.iter_mut().zip(&form.slopes) {
-        *to = (count(*element), count(*speed));
-    }
-    let values = builder.add(graph, functions, "mechanics", &form.values)?;
-    Ok(Some(MechanicsTable { layout, values }))
 }
 
 /// A Newton step towards the constraints, and behind it how far each is from zero.

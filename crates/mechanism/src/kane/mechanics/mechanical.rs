@@ -1,20 +1,14 @@
 //! Mechanical form of a mode: mass matrix, forces, and the slopes of its compliant elements.
 
-use pode::{EntryRole, MAX_SPEEDS};
+use instruments::equations::table::MechanicsLayout as Layout;
+use pode::MAX_SPEEDS;
 
 use super::equations::ModeScope;
 use super::explicit::ExplicitForms;
 use super::kinematics::number;
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::mechanism::Force;
-use crate::kane::system::MechanicalEquations;
-
-/// Places of the extra arguments: the step's length, and the speeds in its middle.
-const STEP: Place = Place::Extra(0);
-
-fn middle(k: usize) -> Place {
-    Place::Extra(1 + number(k))
-}
+use crate::kane::system::{EntryRole, MechanicalEquations};
 
 /// Lower triangles of stiffness and damping, with the stiffness rows.
 struct ElementSums {
@@ -84,7 +78,7 @@ impl ModeScope<'_> {
         let contacts = self.pressed(graph, forms, (&speeds, &places), &mut ends);
         Some(MechanicalEquations {
             roles,
-            speeds: speeds.iter().filter_map(|it| self.entry(*it)).collect(),
+            speeds: speeds.len(),
             values,
             slopes: sums.slopes.iter().map(|it| it.0).collect(),
             contacts,
@@ -112,17 +106,17 @@ impl ModeScope<'_> {
                 let rate = forms.finished(graph, rate);
                 let own = speeds.iter().position(|it| graph.symbol(*it) == rate);
                 if let Some(k) = own {
-                    EntryRole::Coordinate(u8::try_from(k).ok()?)
+                    EntryRole::Coordinate(k)
                 } else {
                     internal += 1;
                     EntryRole::Internal(internal - 1)
                 }
             } else {
-                EntryRole::Speed(u8::try_from(speed(*place)?).ok()?)
+                EntryRole::Speed(speed(*place)?)
             });
         }
         let is_whole = (0..speeds.len()).all(|k| {
-            let own = EntryRole::Coordinate(u8::try_from(k).unwrap_or(u8::MAX));
+            let own = EntryRole::Coordinate(k);
             roles.iter().filter(|it| **it == own).count() <= 1 && self.entry(speeds[k]).is_some()
         });
         is_whole.then_some(roles)
@@ -136,10 +130,14 @@ impl ModeScope<'_> {
         forms: &mut ExplicitForms,
         (roles, speeds): (&[EntryRole], &[Place]),
     ) -> Vec<(Place, Node)> {
-        let middles = speeds.iter().enumerate();
-        let middles: Vec<_> = middles.map(|(k, place)| (*place, graph.symbol(middle(k)))).collect();
+        let (one, h) = (graph.constant(1.0), graph.symbol(extra(Layout::STEP)));
+        let mut middles = Vec::new();
+        for (k, place) in speeds.iter().enumerate() {
+            let a = graph.symbol(extra(Layout::ACCELERATION + k));
+            let (end, moved) = (graph.symbol(*place), graph.multiply(h, a));
+            middles.push((*place, graph.sum(&[(end, 1.0), (moved, -0.5)])));
+        }
         let mut middles = Substitution::new(middles);
-        let (one, h) = (graph.constant(1.0), graph.symbol(STEP));
         let mut ends = Vec::new();
         for (place, role) in self.state.iter().zip(roles) {
             let (EntryRole::Internal(_), Place::Coordinate(i)) = (role, place) else { continue };
@@ -185,11 +183,14 @@ impl ModeScope<'_> {
     }
 }
 
+pub(in crate::kane) fn extra(index: usize) -> Place {
+    Place::Extra(number(index))
+}
+
 /// Returns the coordinate of each speed, if it has one.
 fn coordinates(state: &[Place], roles: &[EntryRole], speeds: usize) -> Vec<Option<Place>> {
     let own = |k: usize| {
-        let is_own =
-            |role: &EntryRole| matches!(role, EntryRole::Coordinate(it) if usize::from(*it) == k);
+        let is_own = |role: &EntryRole| matches!(role, EntryRole::Coordinate(it) if *it == k);
         Some(state[roles.iter().position(is_own)?])
     };
     (0..speeds).map(own).collect()
@@ -206,7 +207,16 @@ fn slopes(
     let (one, zero) = (graph.constant(1.0), graph.constant(0.0));
     let tension = forms.finished(graph, force.tension);
     let rate = forms.finished(graph, force.stretch_rate);
-    let row = speeds.iter().map(|it| graph.partial(rate, *it)).collect();
+    let row: Vec<_> = speeds.iter().map(|it| graph.partial(rate, *it)).collect();
+    let has_places = row.iter().zip(places).all(|(it, at)| at.is_some() || graph.is_zero(*it));
+    let along = along_stretch(graph, force, (speeds, places)).filter(|_| has_places);
+    if let Some(along) = along {
+        let [stiffness, damping] = along.map(|it| {
+            let along = forms.finished(graph, it);
+            row.iter().map(|it| graph.multiply(along, *it)).collect()
+        });
+        return ElementSlopes { tension, row, stiffness, damping };
+    }
     let damping = speeds.iter().map(|it| graph.partial(tension, *it)).collect();
     let mut stiffness = Vec::new();
     for place in places {
@@ -215,6 +225,38 @@ fn slopes(
         }));
     }
     ElementSlopes { tension, row, stiffness, damping }
+}
+
+/// Returns the slopes of a tension by its stretch and the stretch's rate; `None` if it depends on
+/// the motion in another way.
+fn along_stretch(
+    graph: &mut Graph,
+    force: &Force,
+    (speeds, places): (&[Place], &[Option<Place>]),
+) -> Option<[Node; 2]> {
+    let own =
+        [(force.stretch, Place::Extra(u16::MAX)), (force.stretch_rate, Place::Extra(u16::MAX - 1))];
+    let own = own.map(|(node, place)| (node, place, graph.symbol(place)));
+    let mut by_stretch = Substitution::new([]);
+    for (node, _, symbol) in own {
+        if graph.number(node).is_none() {
+            by_stretch.set_within_sums(graph, node, symbol);
+        }
+    }
+    let tension = by_stretch.of(graph, force.tension);
+    let moves = |place: Place| {
+        matches!(place, Place::Speed(_) | Place::Acceleration(_))
+            || speeds.contains(&place)
+            || places.contains(&Some(place))
+    };
+    if graph.depends(tension, moves) {
+        return None;
+    }
+    let mut back = Substitution::new(own.iter().map(|(node, place, _)| (*place, *node)));
+    Some(own.map(|(_, place, _)| {
+        let slope = graph.partial(tension, place);
+        back.of(graph, slope)
+    }))
 }
 
 /// Adds the products of row and slopes to the lower triangles.

@@ -33,6 +33,7 @@ mod speeds;
 mod vector;
 
 pub use error::{DerivationError, DerivationObstacle};
+pub(in crate::kane) use mechanical::extra;
 pub(crate) use poses::turned;
 
 use crate::kane::graph::{Graph, Place};
