@@ -1,17 +1,15 @@
-use std::collections::HashMap;
-
-use super::{Graph, Node, NodeOperation, Place};
+use super::{Graph, Node, NodeMap, NodeOperation, Place};
 
 /// Replacement of symbols by expressions; each node is rebuilt once.
 #[derive(Debug)]
 pub struct Substitution {
-    by: HashMap<Place, Node>,
-    known: HashMap<Node, Node>,
+    by: NodeMap<Place, Node>,
+    known: NodeMap<Node, Node>,
 }
 
 impl Substitution {
     pub fn new(by: impl IntoIterator<Item = (Place, Node)>) -> Self {
-        Self { by: by.into_iter().collect(), known: HashMap::new() }
+        Self { by: by.into_iter().collect(), known: NodeMap::default() }
     }
 
     /// Replaces also `node`, which is not a symbol, by `by`.
@@ -35,6 +33,11 @@ impl Substitution {
 
     fn one(&self, graph: &mut Graph, node: Node) -> Node {
         let new = |old: &Node| self.known[old];
+        let mut is_changed = matches!(graph.operation(node), NodeOperation::Symbol(_));
+        graph.operation(node).operands(|old| is_changed |= new(&old) != old);
+        if !is_changed {
+            return node;
+        }
         match graph.operation(node).clone() {
             NodeOperation::Number(_) => node,
             NodeOperation::Symbol(place) => self.by.get(&place).copied().unwrap_or(node),
