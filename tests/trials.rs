@@ -159,6 +159,20 @@ fn check(outcomes: &[Outcome]) {
     assert!(20 * wrong.len() <= all, "{} of {all}: {wrong:#?}", wrong.len());
 }
 
+/// The command does not try an embedded scene again before it runs.
+#[test]
+fn every_embedded_scene_on_simulated_keys_is_stable() {
+    let mut tried = 0;
+    for name in scene::scenes() {
+        let scene = scene(name, &[]);
+        if scene.links == scene::LinksConfig::Simulated {
+            assert_eq!(unstable(&scene), None, "{name}");
+            tried += 1;
+        }
+    }
+    assert!(tried > 0);
+}
+
 #[test]
 fn what_is_said_of_a_loop_is_what_it_does() {
     let piece = piece();

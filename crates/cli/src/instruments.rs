@@ -5,12 +5,13 @@ use std::path::Path;
 
 use clap::{Args, Subcommand};
 use instruments::ModelEntry;
-use mechanism::model_names;
+use mechanism::kane::mechanism::{InstrumentSpec, Mechanism, MechanismParameter, MechanismPreset};
+use mechanism::{describe, model_names};
 use serde::Serialize;
 
 use super::{Failure, ask, print_json};
 use host::control::Request;
-use scene::{InstrumentInfo, Library, instruments};
+use scene::{InstrumentHead, Library, instruments};
 
 /// What `letoff instruments` takes.
 #[derive(Clone, Debug, Args)]
@@ -45,23 +46,31 @@ pub enum Action {
 }
 
 #[derive(Serialize)]
-struct InstrumentListing {
-    instruments: Vec<InstrumentInfo>,
-    models: Vec<ModelInfo>,
+struct InstrumentListing<M> {
+    instruments: Vec<InstrumentHead>,
+    models: M,
 }
 
+/// What the description of a model states by itself.
+#[derive(Serialize)]
+struct ModelHead {
+    name: String,
+    summary: String,
+    parameters: Vec<ParameterInfo>,
+    presets: Vec<PresetInfo>,
+}
+
+/// A model with what follows from its equations.
 #[derive(Serialize)]
 struct ModelInfo {
-    name: &'static str,
-    summary: String,
+    #[serde(flatten)]
+    head: ModelHead,
     /// File of its description; null for a built-in one.
     file: Option<String>,
     input: SignalInfo,
     states: Vec<SignalInfo>,
     outputs: Vec<SignalInfo>,
     modes: Vec<ModeInfo>,
-    parameters: Vec<ParameterInfo>,
-    presets: Vec<PresetInfo>,
 }
 
 #[derive(Serialize)]
@@ -89,9 +98,9 @@ struct GuardInfo {
 
 #[derive(Serialize)]
 struct ParameterInfo {
-    name: &'static str,
+    name: String,
     title: String,
-    unit: &'static str,
+    unit: String,
     range: (f64, f64),
     default: f64,
     doc: String,
@@ -99,34 +108,37 @@ struct ParameterInfo {
 
 #[derive(Serialize)]
 struct PresetInfo {
-    name: &'static str,
+    name: String,
     doc: String,
 }
 
-impl From<&ModelEntry> for ModelInfo {
-    fn from(entry: &ModelEntry) -> Self {
-        let parameter = |(index, it): (usize, &instruments::Parameter)| ParameterInfo {
-            name: it.name,
-            title: it.title.to_string(),
-            unit: it.unit,
-            range: it.range,
-            default: entry.default_value(index),
-            doc: it.doc.to_string(),
+impl From<Mechanism> for ModelHead {
+    fn from(mechanism: Mechanism) -> Self {
+        let defaults = mechanism.default_values(0);
+        let parameter = |(it, default): (MechanismParameter, f64)| {
+            let MechanismParameter { name, title, unit, range, doc, .. } = it;
+            ParameterInfo { name, title, unit, range, default, doc }
         };
+        let InstrumentSpec { summary, presets, .. } = mechanism.instrument;
+        let preset = |MechanismPreset { name, doc, .. }| PresetInfo { name, doc };
         Self {
-            name: entry.name,
-            summary: entry.summary.to_string(),
+            name: mechanism.name,
+            summary,
+            parameters: mechanism.parameters.into_iter().zip(defaults).map(parameter).collect(),
+            presets: presets.into_iter().map(preset).collect(),
+        }
+    }
+}
+
+impl ModelInfo {
+    fn new(head: ModelHead, entry: &ModelEntry) -> Self {
+        Self {
+            head,
             file: entry.file().map(str::to_owned),
             input: SignalInfo { name: entry.input, unit: entry.input_unit },
             states: signals(&entry.states, &entry.state_units),
             outputs: signals(&entry.outputs, &entry.output_units),
             modes: entry.modes.iter().map(ModeInfo::from).collect(),
-            parameters: entry.parameters.iter().enumerate().map(parameter).collect(),
-            presets: entry
-                .presets
-                .iter()
-                .map(|it| PresetInfo { name: it.name, doc: it.doc.to_string() })
-                .collect(),
         }
     }
 }
@@ -151,28 +163,34 @@ pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Fai
     if let Some(Action::Use { instrument, keys }) = &args.action {
         return switch(instrument, keys.clone(), out);
     }
-    let models = chosen(args.model.as_deref())?;
     let instruments = instruments();
+    if let Some(name) = &args.model {
+        let model = Library::default().find(name, Path::new(""));
+        let model = model.map_err(|missing| Failure::Usage(missing.rendered()))?;
+        let model = ModelInfo::new(head(name)?, &model);
+        if args.json {
+            return print_json(&InstrumentListing { instruments, models: [model] }, out);
+        }
+        return print_model(&model, out);
+    }
+    let models = model_names().map(head).collect::<Result<Vec<_>, _>>()?;
     if args.json {
         return print_json(&InstrumentListing { instruments, models }, out);
     }
-    if args.model.is_none() {
-        writeln!(out, "Instruments (a scene's `instrument = \"…\"`):")?;
-        for it in &instruments {
-            writeln!(out, "  {:16} {} ({}, {})", it.name, it.title, it.model, it.preset)?;
-            if let Some(needs) = &it.needs {
-                writeln!(out, "  {:16} needs {needs}", "")?;
-            }
-        }
-        writeln!(out, "\nModels (`letoff instruments MODEL` shows parameters):")?;
-    }
-    for model in &models {
-        writeln!(out, "  {:20} {}", model.name, model.summary)?;
-        if args.model.is_some() {
-            print_model(model, out)?;
+    writeln!(out, "Instruments (a scene's `instrument = \"…\"`):")?;
+    for it in &instruments {
+        writeln!(out, "  {:16} {} ({}, {})", it.name, it.title, it.model, it.preset)?;
+        if let Some(needs) = &it.needs {
+            writeln!(out, "  {:16} needs {needs}", "")?;
         }
     }
-    Ok(())
+    writeln!(out, "\nModels (`letoff instruments MODEL` shows parameters):")?;
+    models.iter().try_for_each(|model| print_head(model, out))
+}
+
+fn head(model: &str) -> Result<ModelHead, Failure> {
+    let description = describe(model).map_err(|missing| Failure::Usage(missing.rendered()))?;
+    Ok(description.mechanism.into())
 }
 
 fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result<(), Failure> {
@@ -182,27 +200,19 @@ fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result
     ask::ask(&Request::UseInstrument { instrument, keys }, Failure::Usage, out)
 }
 
-fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
-    let library = Library::default();
-    let info = |name: &str| {
-        let model = library.find(name, Path::new(""));
-        let model = model.map_err(|missing| Failure::Usage(missing.rendered()))?;
-        Ok(ModelInfo::from(&**model))
-    };
-    match model {
-        Some(name) => Ok(vec![info(name)?]),
-        None => model_names().map(info).collect(),
-    }
+fn print_head(model: &ModelHead, out: &mut dyn Write) -> Result<(), Failure> {
+    Ok(writeln!(out, "  {:20} {}", model.name, model.summary)?)
 }
 
 fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
+    print_head(&model.head, out)?;
     for mode in &model.modes {
         print_mode(mode, out)?;
     }
-    for preset in &model.presets {
+    for preset in &model.head.presets {
         writeln!(out, "    preset {:12} {}", preset.name, preset.doc)?;
     }
-    for it in &model.parameters {
+    for it in &model.head.parameters {
         let (lo, hi) = it.range;
         writeln!(
             out,
@@ -233,5 +243,31 @@ fn counted(n: u8, one: &str, many: &str) -> String {
         0 => format!("no {many}"),
         1 => format!("1 {one}"),
         _ => format!("{n} {many}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use mechanism::native::compiled_functions;
+
+    use super::*;
+
+    #[test]
+    fn the_list_compiles_no_model() {
+        let compiled = |model: Option<&str>, json| {
+            let before = compiled_functions();
+            let args = InstrumentsArgs { action: None, model: model.map(str::to_owned), json };
+            let mut out = Vec::new();
+            assert!(run(&args, &mut out).is_ok());
+            (compiled_functions() - before, String::from_utf8(out).expect("a text"))
+        };
+        for json in [false, true] {
+            let (count, text) = compiled(None, json);
+            assert_eq!(count, 0);
+            assert!(text.contains("Concert grand, whole action"), "{text}");
+            assert!(model_names().all(|name| text.contains(name)), "{text}");
+        }
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../configs/models/spring.toml");
+        assert!(compiled(Some(file), false).0 > 0);
     }
 }

@@ -21,7 +21,8 @@ mod unmet;
 
 pub use files::contents_now;
 pub use library::{
-    Library, MissingModel, derive, interpreted, is_path, model_names, rendered, unknown_model,
+    Library, MissingModel, derive, describe, interpreted, is_path, model_names, rendered,
+    unknown_model,
 };
 pub use shipped::description;
 pub use unmet::unmet;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, Weak};
 
+use crate::kane::description::{Bases, Description};
 use crate::kane::{DerivedModel, derive_unless_cancelled};
 use crate::native::NativeError;
 use documents::{Diagnostic, Diagnostics, choice, quoted};
@@ -160,6 +161,21 @@ impl Library {
 /// # Errors
 /// The model is unknown or its description has mistakes.
 pub fn derive(wanted: &str) -> Result<DerivedModel, MissingModel> {
+    with_text(wanted, crate::kane::derive_model)
+}
+
+/// Like [`derive`], but reads and checks the description only; derives no equations.
+///
+/// # Errors
+/// Those of [`derive`] that reading finds.
+pub fn describe(wanted: &str) -> Result<Description, MissingModel> {
+    with_text(wanted, crate::kane::description::read)
+}
+
+fn with_text<T>(
+    wanted: &str,
+    read: impl FnOnce(&str, &str, &dyn Bases) -> Result<T, Diagnostics>,
+) -> Result<T, MissingModel> {
     let kept = KeptFiles::default();
     let files = DescriptionFiles::new(&kept);
     let text = match description(wanted) {
@@ -169,7 +185,7 @@ pub fn derive(wanted: &str) -> Result<DerivedModel, MissingModel> {
         }
         None => return Err(unknown_model(wanted)),
     };
-    crate::kane::derive_model(wanted, &text, &files).map_err(MissingModel::Wrong)
+    read(wanted, &text, &files).map_err(MissingModel::Wrong)
 }
 
 fn shipped(name: &str) -> Option<Result<Arc<LoadedModel>, MissingModel>> {

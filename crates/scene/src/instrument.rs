@@ -1,11 +1,10 @@
 use mechanism::Library;
 use std::path::Path;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use instruments::{LoadedModel, ModelEntry, Preset};
 use keyboard::KeyRange;
 use serde::Serialize;
-use toml_edit::{DocumentMut, Item};
 
 use super::based::Based;
 use super::embedded::INSTRUMENTS;
@@ -60,13 +59,6 @@ impl Instrument {
         Self::check(library, &source)
     }
 
-    /// Returns every embedded instrument, in the order of lists; they are read once in a process.
-    pub fn embedded() -> &'static [Self] {
-        static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
-        let load = |name| Self::load(&Library::default(), name).ok();
-        ALL.get_or_init(|| INSTRUMENTS.names().filter_map(load).collect())
-    }
-
     /// Returns the embedded instruments of `model` in the order of lists, without reading others.
     pub fn of_model(model: &ModelEntry) -> Vec<Arc<Self>> {
         static READ: Mutex<Vec<Arc<Instrument>>> = Mutex::new(Vec::new());
@@ -101,16 +93,6 @@ impl Instrument {
     /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
     pub fn values(&self, key: u8) -> Vec<f64> {
         self.voicing.values(key)
-    }
-
-    fn info(&self) -> InstrumentInfo {
-        InstrumentInfo {
-            name: self.name.clone(),
-            title: self.title.clone(),
-            model: self.voicing.model.name,
-            preset: self.voicing.preset().name,
-            needs: self.needs.summary(),
-        }
     }
 
     pub(super) fn check(library: &Library, source: &SourceText) -> Result<Self, Diagnostics> {
@@ -210,35 +192,38 @@ pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Ar
 }
 
 /// Head of an embedded instrument's file, read without its model.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct InstrumentHead {
     pub name: String,
+    pub title: String,
+    #[serde(skip)]
     pub doc: String,
     pub model: String,
-}
-
-/// Returns the heads of all embedded instruments, in the order of lists.
-pub fn instrument_heads() -> Vec<InstrumentHead> {
-    let head = |name: &'static str| {
-        let file: DocumentMut = INSTRUMENTS.find(name)?.parse().ok()?;
-        let text = |key| file.get(key).and_then(Item::as_str).unwrap_or_default().to_owned();
-        Some(InstrumentHead { name: name.to_owned(), doc: text("doc"), model: text("model") })
-    };
-    INSTRUMENTS.names().filter_map(head).collect()
-}
-
-/// Embedded instrument in lists.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
-pub struct InstrumentInfo {
-    pub name: String,
-    pub title: String,
-    pub model: &'static str,
-    pub preset: &'static str,
+    pub preset: String,
     /// Settings with which it is stable.
     pub needs: Option<String>,
 }
 
-/// Returns the list entry of every embedded instrument.
-pub fn instruments() -> Vec<InstrumentInfo> {
-    Instrument::embedded().iter().map(Instrument::info).collect()
+impl InstrumentHead {
+    fn read(name: &str) -> Option<Self> {
+        let source = SourceText::embedded(&INSTRUMENTS, name)?;
+        let (mut report, root) = source.parsed(&[]);
+        let root = root?;
+        let mut reader = TableReader::new(&mut report, name, &root)?;
+        let needs = Needs::read(&mut report, &mut reader).summary();
+        let mut text = |key| reader.text(&mut report, key).map(|(text, _)| text);
+        Some(Self {
+            name: name.to_owned(),
+            title: text("title")?,
+            doc: text("doc")?,
+            model: text("model")?,
+            preset: text("preset")?,
+            needs,
+        })
+    }
+}
+
+/// Returns the heads of all embedded instruments, in the order of lists; no model is derived.
+pub fn instruments() -> Vec<InstrumentHead> {
+    INSTRUMENTS.names().filter_map(InstrumentHead::read).collect()
 }

@@ -52,7 +52,7 @@ pub use checked_file::check_file;
 pub use embedded::{performances, scenes};
 pub use fidelity::{AutoFidelity, Fidelity, FidelityLevel};
 pub use fitted::{FittedValues, fitted_text};
-pub use instrument::{Instrument, InstrumentHead, InstrumentInfo, instrument_heads, instruments};
+pub use instrument::{Instrument, InstrumentHead, instruments};
 pub use keys::KeyVoice;
 pub use kind::{FileKind, is_description};
 pub use links::{

@@ -5,7 +5,7 @@ use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Component, Path, PathBuf};
 
 use documents::{choice, is_unprintable, quoted, shown};
-use scene::{instrument_heads, instruments, is_description};
+use scene::{instruments, is_description};
 use telemetry::recording::RecordingLimits;
 
 const MAX_LISTED: usize = 500;
@@ -121,7 +121,7 @@ pub(super) enum Overwriting {
 }
 
 pub(super) fn is_embedded(name: &str) -> bool {
-    instrument_heads().iter().any(|head| head.name == name)
+    instruments().iter().any(|head| head.name == name)
 }
 
 fn stem(path: &Path) -> Option<String> {

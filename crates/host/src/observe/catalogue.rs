@@ -129,11 +129,11 @@ fn instruments(models: &[Arc<LoadedModel>]) -> Vec<Instrument> {
     let listed = |head: InstrumentHead| {
         let known = known.iter().find(|it| it.name == head.name);
         let values = known.map(|it| keys().flat_map(|key| it.values(key)).collect());
-        let InstrumentHead { name, doc, model } = head;
+        let InstrumentHead { name, doc, model, .. } = head;
         let values = values.unwrap_or_default();
         Instrument { name, model, doc, values, ..Instrument::default() }
     };
-    scene::instrument_heads().into_iter().map(listed).collect()
+    scene::instruments().into_iter().map(listed).collect()
 }
 
 #[cfg(test)]

@@ -117,6 +117,17 @@ impl LoadedModel {
         if let Prototype::Small(model) = &self.prototype { Some(model.clone()) } else { None }
     }
 
+    /// Calls `report` with each condition on the parameters that `values` violate, as
+    /// `string > trip`.
+    pub fn unmet(&self, values: &[f64], report: &mut dyn FnMut(&str)) {
+        // The natures of modes, which take a thousand times longer, say nothing about this.
+        let parts: &ModelParts = &self.parts;
+        let model =
+            EquationModel::<_, { LARGEST.0 }, { LARGEST.1 }>::without_natures(parts, values);
+        let Ok(model) = model else { return };
+        model.unmet().for_each(|condition| report(&condition.text));
+    }
+
     /// Calls `visitor` with the model, which has the values of its default preset.
     #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
     pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {

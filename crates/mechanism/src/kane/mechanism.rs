@@ -16,7 +16,8 @@ pub use pode::contacts::restitution::ImpactLaw;
 
 use instruments::equations::table::MidiTable;
 
-use crate::kane::graph::{Graph, Node};
+use crate::kane::graph::{Graph, Node, Place};
+use crate::kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 
 /// Most modes of a mechanism, those that rigid contacts make included.
 pub const fn most_modes() -> usize {
@@ -42,6 +43,17 @@ pub struct Mechanism {
     pub modes: Vec<Mode>,
     pub outputs: Vec<MechanismOutput>,
     pub rest: Rest,
+}
+
+impl Mechanism {
+    /// Returns the first preset's value of each parameter for `key`; empty without presets.
+    pub fn default_values(&self, key: u8) -> Vec<f64> {
+        let mut layout = ArgumentLayout::default();
+        layout.place(Place::Key, Argument::Extra(0));
+        let values = self.instrument.presets.first().map_or(&[][..], |it| &it.values);
+        let tape = Tape::lower(&self.graph, &layout, values).unwrap_or_default();
+        tape.evaluate(&TapeArguments { extra: &[key.into()], ..TapeArguments::default() })
+    }
 }
 
 /// The texts, values, sound and looks of the instrument that a mechanism makes.

@@ -11,6 +11,7 @@ mod translate;
 
 pub use call::NativeFunctions;
 
+use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::expressions::tape::Tape;
@@ -53,6 +54,15 @@ impl From<ModuleError> for NativeError {
     }
 }
 
+thread_local! {
+    static COMPILED: Cell<usize> = const { Cell::new(0) };
+}
+
+/// Returns the number of functions that this thread has compiled so far.
+pub fn compiled_functions() -> usize {
+    COMPILED.get()
+}
+
 /// Returns machine code of `functions`, each under its index.
 ///
 /// # Errors
@@ -90,6 +100,7 @@ pub fn compile_unless_cancelled(
         ids.push(define(&mut module, &callees, &mut context, &mut builder, tape)?);
     }
     module.finalize_definitions()?;
+    COMPILED.set(COMPILED.get() + functions.len());
     let entries = ids
         .iter()
         .zip(functions)

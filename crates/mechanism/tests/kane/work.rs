@@ -113,6 +113,16 @@ fn the_limit_of_work_lies_far_above_every_model_of_the_program() {
     }
 }
 
+/// What a run of the default scene waits for.
+#[test]
+fn the_grand_takes_little_work_and_few_functions() {
+    let program = mechanism::derive("grand").expect("a model").program;
+    let instructions: usize = program.tapes().iter().map(|tape| tape.instructions.len()).sum();
+    let (work, functions) = (program.work, program.tapes().len());
+    println!("{work} operands, {functions} functions, {instructions} instructions");
+    assert!(work < 750_000 && functions <= 24 && instructions < 8_000);
+}
+
 #[test]
 fn a_derivation_ends_when_it_is_cancelled() {
     let is_cancelled = Arc::new(AtomicBool::new(false));

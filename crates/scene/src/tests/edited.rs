@@ -7,6 +7,7 @@ use keyboard::{Difference, KEYS};
 use mechanism::Library;
 
 use super::super::based::{CompassDifferences, InstrumentEdit};
+use super::super::embedded::INSTRUMENTS;
 use super::super::instrument::{Instrument, instruments};
 use super::super::source::SourceText;
 use super::Folder;
@@ -59,8 +60,12 @@ fn expected(base: &Instrument, edits: &[&InstrumentEdit]) -> Vec<Vec<u64>> {
 
 #[test]
 fn every_instrument_is_saved_and_loaded_to_the_last_bit() {
+    assert_eq!(instruments().len(), INSTRUMENTS.names().count());
     for info in instruments() {
         let base = Instrument::load(&Library::default(), &info.name).expect("an instrument");
+        assert_eq!((&info.title, &info.needs), (&base.title, &base.needs.summary()));
+        assert_eq!(info.model, base.model().name);
+        assert_eq!(info.preset, base.voicing.preset().name);
         for edit in [InstrumentEdit::new(), edit_of(&base, 1)] {
             let text = base.edited(&info.name, "Mine", &edit);
             let mine = loaded(&text, Path::new("")).unwrap_or_else(|it| panic!("{it}\n{text}"));

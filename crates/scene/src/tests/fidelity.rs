@@ -56,7 +56,7 @@ fn programs_are_those_of_general_midi_and_no_number_is_given_twice() {
     assert_eq!(Instrument::of_program(1), Some("grand"));
     assert_eq!(Instrument::of_program(7), Some("harpsichord"));
     assert_eq!(Instrument::of_program(128), None);
-    let heads = instrument_heads();
+    let heads = instruments();
     let text = |name: &str| INSTRUMENTS.find(name).unwrap_or_default();
     let numbers = heads.iter().filter_map(|it| {
         text(&it.name).lines().find_map(|line| line.strip_prefix("program = ")).map(str::to_owned)

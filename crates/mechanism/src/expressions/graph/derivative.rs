@@ -1,19 +1,17 @@
-use std::collections::HashMap;
-
-use super::{BinaryFunction, Graph, Node, NodeOperation, NodeTerms, Place, UnaryFunction};
+use super::{BinaryFunction, Graph, Node, NodeMap, NodeOperation, NodeTerms, Place, UnaryFunction};
 
 /// Exact derivatives of nodes along one direction, each computed once.
 #[derive(Debug)]
 pub struct Tangent {
     /// Rates of symbols; a symbol that is not listed has the rate 0.
-    seeds: HashMap<Place, Node>,
-    known: HashMap<Node, Node>,
+    seeds: NodeMap<Place, Node>,
+    known: NodeMap<Node, Node>,
 }
 
 impl Tangent {
     /// Returns the direction in which each listed symbol changes at its rate.
     pub fn new(seeds: impl IntoIterator<Item = (Place, Node)>) -> Self {
-        Self { seeds: seeds.into_iter().collect(), known: HashMap::new() }
+        Self { seeds: seeds.into_iter().collect(), known: NodeMap::default() }
     }
 
     /// Returns the direction with `node` taken as a constant; a symbol keeps its rate.

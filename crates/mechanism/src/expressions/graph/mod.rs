@@ -10,6 +10,7 @@
 mod build;
 mod derivative;
 mod functions;
+mod hash;
 mod operation;
 mod order;
 mod substitute;
@@ -18,11 +19,10 @@ mod work;
 
 pub use derivative::Tangent;
 pub use functions::{BinaryFunction, UnaryFunction};
+pub use hash::NodeMap;
 pub use operation::{NodeOperation, NodeTerms, Place};
 pub use substitute::Substitution;
 pub use work::{MAX_WORK, WorkEnd};
-
-use std::collections::HashMap;
 
 /// Index of an expression in a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -38,7 +38,7 @@ impl Node {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     operations: Vec<NodeOperation>,
-    known: HashMap<NodeOperation, Node>,
+    known: NodeMap<NodeOperation, Node>,
     work: work::WorkMeter,
 }
 
@@ -105,16 +105,21 @@ impl Graph {
         if self.given_up().is_some() {
             return Vec::new();
         }
-        let mut is_reached = vec![false; last.index() + 1];
+        // A bit per node: operands precede their operation, so the highest bit is next.
+        let mut waiting = vec![0_u64; last.index() / 64 + 1];
         for output in outputs {
-            is_reached[output.index()] = true;
+            waiting[output.index() / 64] |= 1 << (output.0 % 64);
         }
-        for index in (0..is_reached.len()).rev() {
-            if is_reached[index] {
-                self.operations[index].operands(|operand| is_reached[operand.index()] = true);
+        let mut reached = Vec::new();
+        for word in (0..=last.0 / 64).rev() {
+            while let Some(bit) = waiting[word as usize].checked_ilog2() {
+                waiting[word as usize] ^= 1 << bit;
+                let node = Node(64 * word + bit);
+                self.operation(node).operands(|it| waiting[it.index() / 64] |= 1 << (it.0 % 64));
+                reached.push(node);
             }
         }
-        let count = u32::try_from(is_reached.len()).unwrap_or(u32::MAX);
-        (0..count).map(Node).filter(|node| is_reached[node.index()]).collect()
+        reached.reverse();
+        reached
     }
 }

@@ -1,12 +1,10 @@
-use std::collections::HashMap;
-
-use super::{Graph, Node, NodeOperation, Place};
+use super::{Graph, Node, NodeMap, NodeOperation, Place};
 
 /// Replacement of symbols by expressions; each node is rebuilt once.
 #[derive(Debug)]
 pub struct Substitution {
-    by: HashMap<Place, Node>,
-    known: HashMap<Node, Node>,
+    by: NodeMap<Place, Node>,
+    known: NodeMap<Node, Node>,
     /// Sums, which are also replaced within longer ones.
     sums: Vec<(SumTerms, Node)>,
 }
@@ -16,7 +14,7 @@ type SumTerms = (f64, Vec<(Node, f64)>);
 
 impl Substitution {
     pub fn new(by: impl IntoIterator<Item = (Place, Node)>) -> Self {
-        Self { by: by.into_iter().collect(), known: HashMap::new(), sums: Vec::new() }
+        Self { by: by.into_iter().collect(), known: NodeMap::default(), sums: Vec::new() }
     }
 
     /// Replaces also `node`, which is not a symbol, by `by`.
@@ -51,6 +49,19 @@ impl Substitution {
 
     fn one(&self, graph: &mut Graph, node: Node) -> Node {
         let new = |old: &Node| self.known[old];
+        let mut is_changed = match graph.operation(node) {
+            NodeOperation::Symbol(_) => true,
+            NodeOperation::Sum(..) => !self.sums.is_empty(),
+            NodeOperation::Number(_)
+            | NodeOperation::Product(_)
+            | NodeOperation::Unary(..)
+            | NodeOperation::Binary(..)
+            | NodeOperation::Select(_) => false,
+        };
+        graph.operation(node).operands(|old| is_changed |= new(&old) != old);
+        if !is_changed {
+            return node;
+        }
         match graph.operation(node).clone() {
             NodeOperation::Number(_) => node,
             NodeOperation::Symbol(place) => self.by.get(&place).copied().unwrap_or(node),

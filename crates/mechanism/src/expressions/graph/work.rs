@@ -10,7 +10,7 @@ use super::Graph;
 /// Largest work on one graph, from its first node to the last of its tapes.
 ///
 /// The unit is an operand that is read, collected or compared. The largest shipped model needs a
-/// sixteenth of the limit; the whole limit takes about two seconds on a present processor.
+/// thirtieth of the limit; the whole limit takes about two seconds on a present processor.
 pub const MAX_WORK: u64 = 30_000_000;
 
 /// Reason for which work on a graph was given up.

@@ -1,9 +1,11 @@
 //! Values of a tape while they are rearranged to take fewer operations.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use super::{Argument, ArgumentLayout};
-use crate::expressions::graph::{BinaryFunction, Graph, Node, NodeOperation, Place, UnaryFunction};
+use crate::expressions::graph::{
+    BinaryFunction, Graph, Node, NodeMap, NodeOperation, Place, UnaryFunction,
+};
 
 pub(super) type FormId = usize;
 
@@ -38,7 +40,7 @@ impl TapeForm {
 pub(super) struct Forms {
     pub(super) all: Vec<TapeForm>,
     pub(super) outputs: Vec<FormId>,
-    pub(super) ids: HashMap<Node, FormId>,
+    pub(super) ids: NodeMap<Node, FormId>,
 }
 
 impl Forms {
@@ -100,7 +102,7 @@ fn needed(graph: &Graph, layout: &ArgumentLayout, outputs: &[Node]) -> Vec<Node>
 fn form(
     graph: &Graph,
     layout: &ArgumentLayout,
-    ids: &HashMap<Node, FormId>,
+    ids: &NodeMap<Node, FormId>,
     node: Node,
 ) -> Result<TapeForm, Place> {
     let id = |it: &Node| ids[it];

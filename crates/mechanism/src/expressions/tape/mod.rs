@@ -17,7 +17,7 @@ pub use analysis::{AngleGroup, AngleValues, ArgumentCounts};
 pub use evaluate::TapeArguments;
 pub use ready::constant_parts;
 
-use crate::expressions::graph::{BinaryFunction, Place, UnaryFunction};
+use crate::expressions::graph::{BinaryFunction, Node, NodeMap, Place, UnaryFunction};
 
 /// Index of a value in a tape: the result of the instruction with that number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
@@ -66,8 +66,8 @@ pub struct Tape {
 /// Arguments for symbols and for ready expressions; the state's layout may lack coordinates.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct ArgumentLayout {
-    places: std::collections::HashMap<Place, Argument>,
-    ready: std::collections::HashMap<crate::expressions::graph::Node, Argument>,
+    places: NodeMap<Place, Argument>,
+    ready: NodeMap<Node, Argument>,
 }
 
 impl ArgumentLayout {
@@ -75,7 +75,7 @@ impl ArgumentLayout {
         self.places.insert(place, argument);
     }
 
-    pub fn ready(&mut self, node: crate::expressions::graph::Node, argument: Argument) {
+    pub fn ready(&mut self, node: Node, argument: Argument) {
         self.ready.insert(node, argument);
     }
 }

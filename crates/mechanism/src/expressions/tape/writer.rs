@@ -1,13 +1,14 @@
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BinaryHeap, HashMap};
+use std::collections::{BTreeMap, BinaryHeap};
 
 use super::{Argument, Instruction, TapeSlot};
+use crate::expressions::graph::NodeMap;
 
 /// Tape that is being written; equal instructions are written once.
 #[derive(Debug, Default)]
 pub(super) struct TapeWriter {
     instructions: Vec<Instruction>,
-    known: HashMap<[u64; 4], TapeSlot>,
+    known: NodeMap<[u64; 4], TapeSlot>,
     /// Time at which each value is ready, roughly in cycles of a present processor.
     ready: Vec<u32>,
 }

@@ -65,8 +65,8 @@ pub(super) struct FunctionList {
     parameters: usize,
     placed: usize,
     pub(super) hoisting: Hoisting,
-    /// Programs by their outputs: a part that is the whole has the same.
-    lowered: HashMap<Vec<Node>, Tape>,
+    /// Functions by their outputs: a part that is the whole is one with it.
+    lowered: HashMap<Vec<Node>, FunctionId>,
     pub(super) functions: TapeFunctions,
     pub(super) names: Vec<String>,
 }
@@ -126,18 +126,8 @@ impl FunctionList {
         name: &str,
         outputs: &[Node],
     ) -> Result<FunctionId, AssemblyError> {
-        let tape = self.lower(graph, name, outputs)?;
-        self.add_tape(name, tape)
-    }
-
-    fn lower(
-        &mut self,
-        graph: &Graph,
-        name: &str,
-        outputs: &[Node],
-    ) -> Result<Tape, AssemblyError> {
         if let Some(known) = self.lowered.get(outputs) {
-            return Ok(known.clone());
+            return Ok(*known);
         }
         for number in self.placed..self.parameters + self.hoisting.constants.len() {
             let number = u16::try_from(number).unwrap_or(u16::MAX);
@@ -150,11 +140,12 @@ impl FunctionList {
             return Err(AssemblyError::GivenUp(end));
         }
         let tape = tape.map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))?;
-        self.lowered.insert(outputs.to_vec(), tape.clone());
-        Ok(tape)
+        let number = self.add_tape(name, tape)?;
+        self.lowered.insert(outputs.to_vec(), number);
+        Ok(number)
     }
 
-    pub(super) fn add_tape(&mut self, name: &str, tape: Tape) -> Result<FunctionId, AssemblyError> {
+    fn add_tape(&mut self, name: &str, tape: Tape) -> Result<FunctionId, AssemblyError> {
         let tapes = &mut self.functions.tapes;
         let number = tapes.iter().position(|it| *it == tape).unwrap_or(tapes.len());
         if number == tapes.len() {

@@ -1,8 +1,6 @@
 //! What depends on the parameters alone is found once.
 
-use std::collections::HashMap;
-
-use crate::kane::graph::{Graph, Node, NodeOperation, Place};
+use crate::kane::graph::{Graph, Node, NodeMap, NodeOperation, Place};
 
 /// Constants for the largest expressions of parameters alone, beyond a parameter or a number.
 #[derive(Debug, Default)]
@@ -11,9 +9,9 @@ pub(super) struct Hoisting {
     parameters: usize,
     /// The expressions, in the order of their numbers.
     pub(super) constants: Vec<Node>,
-    numbers: HashMap<Node, Node>,
-    rewritten: HashMap<Node, Node>,
-    is_fixed: HashMap<Node, bool>,
+    numbers: NodeMap<Node, Node>,
+    rewritten: NodeMap<Node, Node>,
+    is_fixed: NodeMap<Node, bool>,
 }
 
 impl Hoisting {

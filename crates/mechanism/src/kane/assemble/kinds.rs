@@ -144,14 +144,16 @@ impl LossKind {
 fn vanishing(graph: &mut Graph, term: Node, parameters: u16) -> Vec<(Node, i32)> {
     let zero = graph.constant(0.0);
     let mut factors = Vec::new();
-    for place in (0..parameters).map(Place::Parameter) {
-        let without = if graph.depends(term, |it| it == place) {
-            Substitution::new([(place, zero)]).of(graph, term)
-        } else {
-            term
-        };
+    let symbols = graph.reached(&[term]).into_iter().filter_map(|node| {
+        let NodeOperation::Symbol(place) = graph.operation(node) else { return None };
+        matches!(place, Place::Parameter(number) if *number < parameters).then_some((*place, node))
+    });
+    let mut symbols: Vec<_> = symbols.collect();
+    symbols.sort_unstable();
+    for (place, symbol) in symbols {
+        let without = Substitution::new([(place, zero)]).of(graph, term);
         if graph.is_zero(without) {
-            factors.push((graph.symbol(place), 2));
+            factors.push((symbol, 2));
         }
     }
     factors

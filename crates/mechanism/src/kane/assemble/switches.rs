@@ -215,17 +215,15 @@ fn surface(
         above.iter().zip(&below).map(|(a, b)| graph.subtract(*a, *b)).collect();
     let gradient: Vec<_> = state.iter().map(|place| graph.partial(condition, *place)).collect();
     let zeros: Vec<_> = poses.iter().filter_map(|pose| zero(graph, pose, condition)).collect();
-    let numbers = |pose: &NumericPose| pose.all(graph, &differences);
-    let size =
-        |pose: &NumericPose| numbers(pose).iter().fold(0.0, |most: f64, it| most.max(it.abs()));
+    let size = |numbers: &[f64]| numbers.iter().fold(0.0, |most: f64, it| most.max(it.abs()));
     let scale = poses.iter().map(|pose| pose.value(graph, condition).abs()).fold(0.0, f64::max);
-    let most = poses.iter().map(size).fold(0.0, f64::max);
+    let most = poses.iter().map(|it| size(&it.all(graph, &differences))).fold(0.0, f64::max);
     let (mut jumps, mut turns) = (false, false);
     for pose in &zeros {
-        let slopes = pose.all(graph, &gradient);
-        let changes: Vec<_> = slopes.iter().zip(numbers(pose)).map(|(a, b)| a * b).collect();
+        let (slopes, numbers) = (pose.all(graph, &gradient), pose.all(graph, &differences));
+        let changes: Vec<_> = slopes.iter().zip(&numbers).map(|(a, b)| a * b).collect();
         let sum = changes.iter().map(|it| it.abs()).sum::<f64>();
-        let is_jump = size(pose) > JUMP * most;
+        let is_jump = size(&numbers) > JUMP * most;
         jumps |= is_jump;
         turns |= is_jump && changes.iter().sum::<f64>().abs() > JUMP * sum;
     }

@@ -67,16 +67,16 @@ impl NumericPose {
 
     /// Returns the values of `nodes`; a symbol without a value is 0.
     pub(in crate::kane) fn all(&self, graph: &Graph, nodes: &[Node]) -> Vec<f64> {
-        let mut values: HashMap<Node, f64> = HashMap::new();
+        let last = nodes.iter().max().map_or(0, |last| last.index());
+        let mut values = vec![0.0; last + 1];
         for node in graph.reached(nodes) {
-            let value = self.one(graph, &values, node);
-            values.insert(node, value);
+            values[node.index()] = self.one(graph, &values, node);
         }
-        nodes.iter().map(|node| values.get(node).copied().unwrap_or(0.0)).collect()
+        nodes.iter().map(|node| values[node.index()]).collect()
     }
 
-    fn one(&self, graph: &Graph, values: &HashMap<Node, f64>, node: Node) -> f64 {
-        let of = |it: &Node| values[it];
+    fn one(&self, graph: &Graph, values: &[f64], node: Node) -> f64 {
+        let of = |it: &Node| values[it.index()];
         match graph.operation(node) {
             NodeOperation::Number(bits) => f64::from_bits(*bits),
             NodeOperation::Symbol(place) => self.get(*place),
