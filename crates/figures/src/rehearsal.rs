@@ -127,9 +127,10 @@ impl RehearsedKey {
     pub fn new(
         number: usize,
         key: SimulatedKey,
-        voice: Box<dyn RehearsableVoice>,
+        mut voice: Box<dyn RehearsableVoice>,
         (period, slew): (Period, f64),
     ) -> Self {
+        voice.end_audit();
         Self {
             key,
             slot: Slot::new(number, Copied(voice)),

@@ -170,7 +170,7 @@ impl EnergyAudit {
 /// Simpson's rule, of the same order as the dense output; the trapezoidal rule without a middle.
 #[inline]
 fn mean(start: f64, middle: Option<f64>, end: f64) -> f64 {
-    let middle = middle.unwrap_or_else(|| 0.5 * (start + end));
+    let middle = middle.unwrap_or(0.5 * (start + end));
     (start + 4.0 * middle + end) / 6.0
 }
 

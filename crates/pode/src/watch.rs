@@ -183,6 +183,30 @@ impl<M: Model, A: Watch<M>, B: Watch<M>> Watch<M> for (A, B) {
     }
 }
 
+impl<M: Model, W: Watch<M>> Watch<M> for Option<W> {
+    const LOOKS_INSIDE: bool = W::LOOKS_INSIDE;
+
+    #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
+    #[inline(always)]
+    fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        if let Some(watch) = self {
+            watch.piece(model, piece);
+        }
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        if let Some(watch) = self {
+            watch.event(model, event);
+        }
+    }
+
+    fn tick(&mut self, model: &M, tick: &Tick) {
+        if let Some(watch) = self {
+            watch.tick(model, tick);
+        }
+    }
+}
+
 impl<M: Model, W: Watch<M>> Watch<M> for &mut W {
     const LOOKS_INSIDE: bool = W::LOOKS_INSIDE;
 

@@ -31,6 +31,9 @@ use crate::voice::shift::InputShift;
 pub trait RehearsableVoice: Voice + Send {
     /// Returns a copy with the same bits.
     fn copy(&self) -> Box<dyn RehearsableVoice>;
+
+    /// Ends the energy audit, unless forces depend on it. A motion that diverges then goes unseen.
+    fn end_audit(&mut self);
 }
 
 /// A key's model in motion, between its sensor and its motor.
@@ -67,6 +70,7 @@ struct VoiceConstants {
 #[derive(Clone, Debug)]
 struct EnergyChecks<M: Playable> {
     auditor: Auditor<M>,
+    is_audited: bool,
     passivity: PassivityObserver,
     controller: Option<PassivityController>,
     cell: Arc<AuditCell>,
@@ -134,6 +138,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let parts = Arc::clone(model.shared());
         let energy = EnergyChecks {
             auditor: Auditor::default(),
+            is_audited: true,
             passivity: settings.passivity,
             controller: settings.controller,
             cell: settings.cell,
@@ -340,7 +345,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let coupled = self.coupled(signal);
         self.signal = coupled.map_or(*signal, |it| it.signal);
         let mut strikes = Strikes { tick, events, switches: &mut self.switches, impulse: 0.0 };
-        let mut watch = (&mut self.energy.auditor, &mut strikes);
+        let auditor = self.energy.is_audited.then_some(&mut self.energy.auditor);
+        let mut watch = (auditor, &mut strikes);
         let done = self.simulator.advance(self.constants.h, &self.signal, &mut watch);
         let impulse = strikes.impulse;
         if let Some(coupling) = &mut self.memory.coupling {
@@ -479,6 +485,10 @@ where
         let mut copy = Box::new(self.clone());
         copy.energy.cell = Arc::default();
         copy
+    }
+
+    fn end_audit(&mut self) {
+        self.energy.is_audited = self.energy.controller.is_some();
     }
 }
 

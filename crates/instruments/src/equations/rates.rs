@@ -22,20 +22,24 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     ) -> f64 {
         let jacobian = |x: &[f64; N]| self.mode_rows(self.mode_table(mode), x, input);
         let rates = self.derivative(mode, x, input);
-        self.step_by(jacobian, (longest, rates), x)
+        self.step_by(|x| self.fastest_of(&jacobian(x)), (longest, rates), x)
     }
 
-    /// Like `step_at`, by any Jacobian, with the rates of the state.
+    /// Returns the fastest rate (rad/s) of a Jacobian of the whole state.
+    pub(crate) fn fastest_of(&self, rows: &[[f64; N]; N]) -> f64 {
+        fastest(rows, all_of(self.table().states.len()), ROUNDS_AT)
+    }
+
+    /// Like `step_at`, by any bound of the fastest rate (rad/s), with the rates of the state.
     pub(crate) fn step_by(
         &self,
-        jacobian: impl Fn(&[f64; N]) -> [[f64; N]; N],
+        fastest: impl Fn(&[f64; N]) -> f64,
         (longest, rates): (f64, [f64; N]),
         x: &[f64; N],
     ) -> f64 {
         /// Look-ahead of a step without a rate of its own (s).
         const AHEAD: f64 = 1e-3;
-        let entries = all_of(self.table().states.len());
-        let step = |x: &[f64; N]| RADIANS / fastest(&jacobian(x), entries, ROUNDS_AT);
+        let step = |x: &[f64; N]| RADIANS / fastest(x);
         let own = longest.min(step(x));
         let moved = x.plus(own.min(AHEAD), &rates);
         let later = moved_head(x, &moved, self.table().coordinates);

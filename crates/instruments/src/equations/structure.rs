@@ -12,6 +12,7 @@ use pode::{
     Model, Motion, Nature, ReadoutSlopes, Reset, Sloped,
 };
 
+use crate::equations::jacobian_bound::RADIANS;
 use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::{EquationModel, rates_of};
 use crate::equations::rows::add_rows;
@@ -90,6 +91,25 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         let at = |index: usize| flat.get(index).copied().unwrap_or(0.0);
         let gradient = array::from_fn(|i| if i < count { at(2 + i) } else { 0.0 });
         Surface { value: at(0), drift: at(1), gradient }
+    }
+
+    /// Returns a bound of the fastest rate (rad/s) with these contacts closed, in a mode of a
+    /// constant rate: for each oscillator, squares of rates add up.
+    fn contact_rate(
+        &self,
+        mode: ModeNumber,
+        closed: ContactIndices,
+        (x, input): (&[f64; N], &Motion),
+        longest: f64,
+    ) -> f64 {
+        let own = RADIANS / longest;
+        let (mut square, mut loss) = (own * own, 0.0);
+        for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
+            let [own, lost] = self.contact_values(contact.rates, x, input).unwrap_or([0.0; 2]);
+            square += own.max(0.0);
+            loss += lost.max(0.0);
+        }
+        0.5 * (loss + pode::math::sqrt(loss * loss + 4.0 * square))
     }
 
     fn contact_values<const K: usize>(
@@ -327,7 +347,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
         self.bound(bound, over)
     }
 
-    /// Uses the Jacobian with the touching contacts: two of them in each step, and a derivative.
+    /// Two rates of the touching contacts in each step, and a derivative; two Jacobians where the
+    /// mode stiffens or a contact rubs.
     fn longest_step_at(
         &self,
         mode: ModeNumber,
@@ -339,6 +360,15 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
         if closed.iter().all(|contact| self.is_switch(contact)) {
             return Guarded::longest_step_at(self, mode, x, input);
         }
+        let longest = self.natures().nature(mode).longest_step;
+        let rates = ContactSystem::derivative(self, mode, closed, x, input);
+        let has_rates = |contact| {
+            self.contact(mode, contact).is_some_and(|it| it.rates.is_some() && it.slip.is_none())
+        };
+        if !self.mode_table(mode).is_stiffening && closed.iter().all(has_rates) {
+            let fastest = |x: &[f64; N]| self.contact_rate(mode, closed, (x, input), longest);
+            return self.step_by(fastest, (longest, rates), x);
+        }
         let jacobian = |x: &[f64; N]| {
             let mut rows = self.mode_rows(self.mode_table(mode), x, input);
             for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
@@ -346,8 +376,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
             }
             rows
         };
-        let rates = ContactSystem::derivative(self, mode, closed, x, input);
-        self.step_by(jacobian, (self.natures().nature(mode).longest_step, rates), x)
+        self.step_by(|x| self.fastest_of(&jacobian(x)), (longest, rates), x)
     }
 
     fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {

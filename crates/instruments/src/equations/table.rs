@@ -443,6 +443,8 @@ pub struct ContactModeTable {
     pub normal: Option<FunctionId>,
     /// Computes its contribution to the Jacobian, row by row.
     pub jacobian: Option<FunctionId>,
+    /// Computes the square of its rate (1/s²) and the rate of its loss (1/s), without all else.
+    pub rates: Option<FunctionId>,
     /// Computes its contribution to forces, stiffness and damping of the mechanical form, then its
     /// stiffness row.
     pub mechanics: Option<FunctionId>,

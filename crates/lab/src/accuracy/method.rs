@@ -2,7 +2,9 @@
 
 use std::sync::LazyLock;
 
-use pode::stepper::{Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Newmark, Rk4, Rodas3};
+use pode::stepper::{
+    Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Newmark, Rk4, Rodas3, Tsitouras5,
+};
 use pode::{Limits, Stepper as _};
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};

@@ -23,9 +23,9 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 /// tolerance. A step with eight times as much is repeated once. While a contact is closed that does
 /// not rest, steps are at most 62.5 µs and half a radian of the fastest rate.
 ///
-/// Dense output: the terms of prediction and correction as those of τ, τ² and τ³. The acceleration is void after a
-/// reset, and then costs one more evaluation. Modes without a mechanical form are stepped by
-/// [`Rk4`]. `[New59]`, `[Hug87]` 9.1; `[FG49]` for β = 1/12.
+/// Dense output: h u0, h²/2 a and β h² Δ are the terms of τ, τ² and τ³. A cubic through the rates at
+/// both ends would first move against Δ, since β is not 1/6. The acceleration is void after a reset,
+/// and then costs one more evaluation. Modes without a mechanical form are stepped by [`Rk4`]. `[New59]`, `[Hug87]` 9.1; `[FG49]` for β = 1/12.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Newmark {
     /// Force (N) by which the correction may move an element.

@@ -7,7 +7,7 @@ use super::builder::ModeBuilder;
 use super::functions::FunctionList;
 use super::kinds::is_linear_in_state;
 use super::{AssemblyError, guards, names, switches};
-use crate::kane::graph::{Graph, Node, Place};
+use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::mechanism::Mechanism;
 use crate::kane::system::{ContactEquations, FrictionEquations};
 
@@ -58,6 +58,7 @@ fn contact(
         bound: None,
         normal: None,
         jacobian: None,
+        rates: None,
         mechanics: None,
         balance: None,
         slip: None,
@@ -127,6 +128,31 @@ fn is_linear_switch(
     friction.is_some_and(|it| is_linear_in_state(graph, &builder.state, &it.response.derivative))
 }
 
+/// Returns the square of a contact's rate and the rate of its loss, each without all else:
+/// −Σ ∂q''/∂q and −Σ ∂u'/∂u, since the Jacobian of one force has one eigenvalue of each.
+fn rates(
+    graph: &mut Graph,
+    builder: &ModeBuilder<'_>,
+    contact: &ContactEquations,
+    force: Node,
+) -> [Node; 2] {
+    let (state, context) = (&builder.state, builder.context);
+    let per = &contact.normal_response.derivative;
+    let speeds = context.places.iter().copied().zip(per.iter().copied()).skip(context.coordinates);
+    let mut pushed = Tangent::new(speeds);
+    let (mut square, mut loss) = (Vec::new(), Vec::new());
+    for index in state.free() {
+        let slope = state.direction(graph, context.places[index]).of(graph, force);
+        if index < context.coordinates {
+            let pushed = pushed.of(graph, builder.equations.derivative[index]);
+            square.push((graph.multiply(pushed, slope), -1.0));
+        } else {
+            loss.push((graph.multiply(per[index], slope), -1.0));
+        }
+    }
+    [graph.sum(&square), graph.sum(&loss)]
+}
+
 fn slopes(
     graph: &mut Graph,
     functions: &mut FunctionList,
@@ -160,6 +186,8 @@ fn normal(
     let driven = graph.multiply(readout, rate);
     let supplied = graph.add(driven, motor);
     let balance = [readout, energy, supplied, taken];
+    let rates = rates(graph, builder, contact, force);
+    table.rates = Some(builder.add(graph, functions, &format!("{name}_rates"), &rates)?);
     table.normal = Some(builder.add(graph, functions, &format!("{name}_normal"), &added)?);
     table.jacobian = Some(builder.add(graph, functions, &format!("{name}_jacobian"), &rows)?);
     table.balance = Some(builder.add(graph, functions, &format!("{name}_balance"), &balance)?);

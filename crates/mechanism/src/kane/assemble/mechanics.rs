@@ -120,16 +120,14 @@ impl<'a> StepForm<'a> {
 
     /// Returns the sum of `mass` and further triangles times factors.
     fn combined(&mut self, mass: &Triangle, others: &[(Node, &Triangle)]) -> Triangle {
-        let mut sum = mass.clone();
-        for (i, row) in sum.iter_mut().enumerate() {
-            for (j, entry) in row.iter_mut().enumerate() {
-                for (by, other) in others {
-                    let more = self.graph.multiply(*by, other[i][j]);
-                    *entry = self.graph.add(*entry, more);
-                }
+        let mut sum = |i: usize, j: usize| {
+            let mut terms = vec![(mass[i][j], 1.0)];
+            for (by, other) in others {
+                terms.push((self.graph.multiply(*by, other[i][j]), 1.0));
             }
-        }
-        sum
+            self.graph.sum(&terms)
+        };
+        (0..mass.len()).map(|i| (0..=i).map(|j| sum(i, j)).collect()).collect()
     }
 
     fn correction(&mut self) -> Vec<Node> {
@@ -180,19 +178,22 @@ impl<'a> StepForm<'a> {
     fn factored(&mut self, matrix: &mut Triangle) -> Vec<Node> {
         let mut pivots = Vec::new();
         for j in 0..matrix.len() {
-            let pivot = matrix[j][j];
-            pivots.push(pivot);
-            let column: Vec<_> = matrix[j..].iter().map(|row| row[j]).collect();
-            for i in j + 1..matrix.len() {
-                let by = self.graph.divide(matrix[i][j], pivot);
-                for k in j + 1..=i {
-                    let less = self.graph.multiply(by, column[k - j]);
-                    matrix[i][k] = self.graph.subtract(matrix[i][k], less);
-                }
-                matrix[i][j] = by;
+            pivots.push(matrix[j][j]);
+            let column: Vec<_> = matrix.iter().skip(j).map(|row| row[j]).collect();
+            for row in matrix.iter_mut().skip(j + 1) {
+                let by = self.graph.divide(row[j], column[0]);
+                self.subtract_multiple(&mut row[j + 1..], by, &column[1..]);
+                row[j] = by;
             }
         }
         pivots
+    }
+
+    fn subtract_multiple(&mut self, row: &mut [Node], by: Node, column: &[Node]) {
+        for (entry, upper) in row.iter_mut().zip(column) {
+            let less = self.graph.multiply(by, *upper);
+            *entry = self.graph.subtract(*entry, less);
+        }
     }
 
     fn solved(&mut self, factors: &Triangle, pivots: &[Node], mut x: Vec<Node>) -> Vec<Node> {

@@ -38,6 +38,22 @@ struct ElementSlopes {
     damping: Vec<Node>,
 }
 
+impl ElementSlopes {
+    /// Returns what the element adds to forces, stiffness and damping, then its stiffness row.
+    fn added(&self, graph: &mut Graph, speeds: usize) -> Vec<Node> {
+        let mut sums = ElementSums::new(speeds);
+        enter(graph, &mut sums, self);
+        let mut values = Vec::new();
+        for slope in &self.row {
+            let pull = graph.multiply(self.tension, *slope);
+            values.push(graph.negate(pull));
+        }
+        values.extend(sums.finish(graph));
+        values.extend(&self.stiffness);
+        values
+    }
+}
+
 impl ModeScope<'_> {
     /// Returns the mechanical form; `None` if a coordinate's rate is a mixture of speeds, or if
     /// multipliers or plain equations move a speed.
@@ -85,6 +101,12 @@ impl ModeScope<'_> {
         })
     }
 
+    /// Returns the rate of a coordinate.
+    fn rate_of(&self, place: Place) -> Option<Node> {
+        let Place::Coordinate(i) = place else { return None };
+        Some(self.mechanism.coordinates[usize::from(i)].rate)
+    }
+
     fn entry(&self, place: Place) -> Option<usize> {
         self.state.iter().position(|it| *it == place)
     }
@@ -95,25 +117,20 @@ impl ModeScope<'_> {
         forms: &mut ExplicitForms,
         (is_free, speeds): (&[bool], &[Place]),
     ) -> Option<Vec<EntryRole>> {
-        let mut internal = 0;
+        let mut internals = 0..;
         let mut roles = Vec::new();
         for (place, is_free) in self.state.iter().zip(is_free) {
-            let speed = |place| speeds.iter().position(|it| *it == place);
-            roles.push(if !is_free {
-                EntryRole::Slaved
-            } else if let Place::Coordinate(i) = place {
-                let rate = self.mechanism.coordinates[usize::from(*i)].rate;
+            let rate = self.rate_of(*place).filter(|_| *is_free);
+            let role = if let Some(rate) = rate {
                 let rate = forms.finished(graph, rate);
                 let own = speeds.iter().position(|it| graph.symbol(*it) == rate);
-                if let Some(k) = own {
-                    EntryRole::Coordinate(k)
-                } else {
-                    internal += 1;
-                    EntryRole::Internal(internal - 1)
-                }
+                own.map(EntryRole::Coordinate).or_else(|| internals.next().map(EntryRole::Internal))
+            } else if *is_free {
+                speeds.iter().position(|it| it == place).map(EntryRole::Speed)
             } else {
-                EntryRole::Speed(speed(*place)?)
-            });
+                Some(EntryRole::Slaved)
+            };
+            roles.push(role?);
         }
         let is_whole = (0..speeds.len()).all(|k| {
             let own = EntryRole::Coordinate(k);
@@ -140,8 +157,10 @@ impl ModeScope<'_> {
         let mut middles = Substitution::new(middles);
         let mut ends = Vec::new();
         for (place, role) in self.state.iter().zip(roles) {
-            let (EntryRole::Internal(_), Place::Coordinate(i)) = (role, place) else { continue };
-            let rate = forms.finished(graph, self.mechanism.coordinates[usize::from(*i)].rate);
+            let (EntryRole::Internal(_), Some(rate)) = (role, self.rate_of(*place)) else {
+                continue;
+            };
+            let rate = forms.finished(graph, rate);
             let rate = middles.of(graph, rate);
             let slope = graph.partial(rate, *place);
             let u = graph.multiply(h, slope);
@@ -167,16 +186,7 @@ impl ModeScope<'_> {
             let pressing = contact.force.as_ref().filter(|_| contact.friction.is_none());
             all.push(pressing.map(|force| {
                 let slopes = slopes(graph, forms, force, (speeds, places));
-                let mut sums = ElementSums::new(speeds.len());
-                enter(graph, &mut sums, &slopes);
-                let mut values = Vec::new();
-                for slope in &slopes.row {
-                    let pull = graph.multiply(slopes.tension, *slope);
-                    values.push(graph.negate(pull));
-                }
-                values.extend(sums.finish(graph));
-                values.extend(&slopes.stiffness);
-                values.iter().map(|it| ends.of(graph, *it)).collect()
+                slopes.added(graph, speeds.len()).iter().map(|it| ends.of(graph, *it)).collect()
             }));
         }
         all

@@ -158,7 +158,7 @@ impl ModeMotion {
                 *entry = other[i];
             }
         }
-        self.mass = matrix.clone();
+        self.mass.clone_from(&matrix);
         let rows: Vec<_> =
             self.speeds.held.iter().map(|row| self.reduce(graph, &row.slopes)).collect();
         let massless = |row: usize| {
