@@ -164,10 +164,10 @@ pub fn derive(wanted: &str) -> Result<DerivedModel, MissingModel> {
     with_text(wanted, crate::kane::derive_model)
 }
 
-/// Like [`derive`], but reads and checks the description only; derives no equations.
+/// Like [`derive()`], but reads and checks the description only; derives no equations.
 ///
 /// # Errors
-/// Those of [`derive`] that reading finds.
+/// Those of [`derive()`] that reading finds.
 pub fn describe(wanted: &str) -> Result<Description, MissingModel> {
     with_text(wanted, crate::kane::description::read)
 }
