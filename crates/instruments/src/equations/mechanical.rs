@@ -29,7 +29,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         let (head, values) = extra.split_at_mut(Layout::VALUES);
         self.call_with(mechanics.values, (&predicted, &input), head, values);
         for contact in closed {
-            let function = self.contact(mode, contact).and_then(|it| it.mechanics)?;
+            let function = self.contact(mode, contact).and_then(|it| it.gradients.mechanics)?;
             let mut added = [0.0; MAX_ADDED];
             self.call_with(function, (&predicted, &input), head, &mut added);
             mechanics.press(&added, head, values);

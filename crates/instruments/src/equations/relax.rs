@@ -129,7 +129,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             self.mode_rows(table, x, input)
         };
         for contact in self.overlapping(table, x, input) {
-            add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
+            add_rows(&mut rows, &self.contact_rows(contact.gradients.jacobian, x, input));
         }
         (rates, rows)
     }

@@ -104,7 +104,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     ) -> f64 {
         let (mut square, mut loss) = (0.0, 0.0);
         for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
-            let [own, lost] = self.contact_values(contact.rates, x, input).unwrap_or([0.0; 2]);
+            let [own, lost] =
+                self.contact_values(contact.gradients.rates, x, input).unwrap_or([0.0; 2]);
             square += own.max(0.0);
             loss += lost.max(0.0);
         }
@@ -363,7 +364,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
         let longest = self.natures().nature(mode).longest_step;
         let rates = ContactSystem::derivative(self, mode, closed, x, input);
         let has_rates = |contact| {
-            self.contact(mode, contact).is_some_and(|it| it.rates.is_some() && it.slip.is_none())
+            self.contact(mode, contact)
+                .is_some_and(|it| it.gradients.rates.is_some() && it.slip.is_none())
         };
         if !self.mode_table(mode).is_stiffening && closed.iter().all(has_rates) {
             let fastest = |x: &[f64; N]| self.contact_rate(mode, closed, (x, input), longest);
@@ -372,7 +374,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
         let jacobian = |x: &[f64; N]| {
             let mut rows = self.mode_rows(self.mode_table(mode), x, input);
             for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
-                add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
+                add_rows(&mut rows, &self.contact_rows(contact.gradients.jacobian, x, input));
             }
             rows
         };

@@ -431,6 +431,18 @@ pub struct ContactTable {
     pub friction: Option<(&'static str, f64, f64)>,
 }
 
+/// Functions of the slopes of a contact's force in one mode; `None` for a bearing.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct ContactGradientTable {
+    /// Computes its contribution to the Jacobian, row by row.
+    pub jacobian: Option<FunctionId>,
+    /// Computes the square of its rate (1/s²) and the rate of its loss (1/s), without all else.
+    pub rates: Option<FunctionId>,
+    /// Computes its contribution to forces, stiffness and damping of the mechanical form, then its
+    /// stiffness row.
+    pub mechanics: Option<FunctionId>,
+}
+
 /// A contact in one mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ContactModeTable {
@@ -441,13 +453,7 @@ pub struct ContactModeTable {
     pub bound: Option<FunctionId>,
     /// Computes the contribution of the closed contact to the derivative.
     pub normal: Option<FunctionId>,
-    /// Computes its contribution to the Jacobian, row by row.
-    pub jacobian: Option<FunctionId>,
-    /// Computes the square of its rate (1/s²) and the rate of its loss (1/s), without all else.
-    pub rates: Option<FunctionId>,
-    /// Computes its contribution to forces, stiffness and damping of the mechanical form, then its
-    /// stiffness row.
-    pub mechanics: Option<FunctionId>,
+    pub gradients: ContactGradientTable,
     /// Computes its contribution to readout, energy (J), supplied and dissipated power (W).
     pub balance: Option<FunctionId>,
     /// Computes the slip speed, its rate by time alone, and its gradient by the state.

@@ -1,6 +1,8 @@
 //! What contacts and bearings do in one mode.
 
-use instruments::equations::table::{ContactModeTable, ContactTable, FunctionId};
+use instruments::equations::table::{
+    ContactGradientTable, ContactModeTable, ContactTable, FunctionId,
+};
 use pode::contacts::{ContactSpec, FrictionSpec, SlipKind};
 
 use super::builder::ModeBuilder;
@@ -39,7 +41,7 @@ pub(super) fn contacts(
         let mut table = self::contact(graph, functions, builder, (name, contact))?;
         if let Some(Some(values)) = mechanical.and_then(|it| it.contacts.get(at)) {
             let what = format!("{name}_mechanics");
-            table.mechanics = Some(builder.add(graph, functions, &what, values)?);
+            table.gradients.mechanics = Some(builder.add(graph, functions, &what, values)?);
         }
         tables.push(table);
     }
@@ -57,9 +59,7 @@ fn contact(
         gap: None,
         bound: None,
         normal: None,
-        jacobian: None,
-        rates: None,
-        mechanics: None,
+        gradients: ContactGradientTable::default(),
         balance: None,
         slip: None,
         limits: None,
@@ -187,9 +187,11 @@ fn normal(
     let supplied = graph.add(driven, motor);
     let balance = [readout, energy, supplied, taken];
     let rates = rates(graph, builder, contact, force);
-    table.rates = Some(builder.add(graph, functions, &format!("{name}_rates"), &rates)?);
+    table.gradients.rates =
+        Some(builder.add(graph, functions, &format!("{name}_rates"), &rates)?);
     table.normal = Some(builder.add(graph, functions, &format!("{name}_normal"), &added)?);
-    table.jacobian = Some(builder.add(graph, functions, &format!("{name}_jacobian"), &rows)?);
+    table.gradients.jacobian =
+        Some(builder.add(graph, functions, &format!("{name}_jacobian"), &rows)?);
     table.balance = Some(builder.add(graph, functions, &format!("{name}_balance"), &balance)?);
     Ok(())
 }
