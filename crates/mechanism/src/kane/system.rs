@@ -42,12 +42,18 @@ pub struct ModeEquations {
     /// Generalised force on the driver of the input, without contacts.
     pub readout: Option<Node>,
     pub outputs: Vec<Node>,
-    pub energy: Option<Node>,
-    pub supplied: Option<Node>,
-    pub dissipated: Option<Node>,
+    pub balance: ModeBalance,
     pub guards: Vec<GuardEquations>,
     /// Impacts of the family whose first mode this is.
     pub impacts: Option<ImpactEquations>,
+}
+
+/// Energy of a mode (J), and the powers that it receives and loses (W), without contacts.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ModeBalance {
+    pub energy: Option<Node>,
+    pub supplied: Option<Node>,
+    pub dissipated: Option<Node>,
 }
 
 /// Role of a state's entry in a mechanical form; the numbers count speeds and internal states.

@@ -97,10 +97,10 @@ fn a_contact_adds_what_its_force_does() {
             "readout",
         );
         let other = &pushed.system.modes[0];
-        let [dissipated, stored] =
-            [other.dissipated, other.energy].map(|it| pushed.one(it.expect("balance"), &x, input));
+        let [dissipated, stored] = [other.balance.dissipated, other.balance.energy]
+            .map(|it| pushed.one(it.expect("balance"), &x, input));
         close(value(lost), dissipated, 1e-11, "dissipated");
-        close(value(energy) + value(mode.energy.expect("energy")), stored, 1e-11, "energy");
+        close(value(energy) + value(mode.balance.energy.expect("energy")), stored, 1e-11, "energy");
         // Accelerations in outputs are those with the contact pressing.
         close(value(mode.outputs[0]), with_normal[2], 1e-11, "a''");
         let gradient = contact.all(&friction.gradient, &x, input);

@@ -38,7 +38,7 @@ fn a_stated_solution_and_a_projected_one_agree() {
             let mode = &d.system.modes[0];
             let speed = *mode.derivative.get(d.system.coordinates).expect("a''");
             let mut nodes =
-                vec![speed, mode.energy.expect("energy"), mode.readout.expect("readout")];
+                vec![speed, mode.balance.energy.expect("energy"), mode.readout.expect("readout")];
             nodes.extend(&mode.outputs);
             d.all(&nodes, x, input)
         });

@@ -55,7 +55,7 @@ fn motion(
     let parameters = u16::try_from(builder.context.mechanism.parameters.len()).unwrap_or(u16::MAX);
     let (rows, is_known) = state.rows(graph, rates);
     let flat: Vec<_> = rows.iter().flatten().copied().collect();
-    let loss = LossKind::of(graph, equations.dissipated, parameters);
+    let loss = LossKind::of(graph, equations.balance.dissipated, parameters);
     let free: Vec<_> = state.free().map(|index| rates[index]).collect();
     let free = state.replaced(graph, &free);
     let entries = state.replaced(graph, &flat);
@@ -70,7 +70,7 @@ fn motion(
         state,
         rates,
         jacobian: &rows,
-        dissipated: equations.dissipated,
+        dissipated: equations.balance.dissipated,
         parameters,
     };
     let (parts, part_list) = parts(graph, functions, &moving)?;
@@ -120,8 +120,9 @@ fn forces(
     let readout = equations.readout.unwrap_or(zero);
     let slopes =
         [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
-    let balance = [equations.energy, equations.supplied, equations.dissipated]
-        .map(|node| node.unwrap_or(zero));
+    let balance =
+        [equations.balance.energy, equations.balance.supplied, equations.balance.dissipated]
+            .map(|node| node.unwrap_or(zero));
     let averaged = (!equations.averaged.is_empty())
         .then(|| builder.add(graph, functions, "averaged", &equations.averaged));
     Ok(ForceTable {

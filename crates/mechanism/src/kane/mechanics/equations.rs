@@ -77,9 +77,9 @@ impl ModeScope<'_> {
         let others = motion.motor.into_iter().chain([balance.supplied]);
         let others: Vec<_> = others.map(|it| (forms.value(graph, it), 1.0)).collect();
         let terms: Vec<_> = driven.into_iter().chain(others).collect();
-        equations.supplied = Some(graph.sum(&terms));
-        equations.energy = Some(forms.value(graph, balance.energy));
-        equations.dissipated = Some(forms.value(graph, balance.dissipated));
+        equations.balance.supplied = Some(graph.sum(&terms));
+        equations.balance.energy = Some(forms.value(graph, balance.energy));
+        equations.balance.dissipated = Some(forms.value(graph, balance.dissipated));
         let outputs = mechanism.outputs.iter().filter_map(|it| it.values.get(self.number));
         let mut with_friction =
             mechanism.contacts.iter().any(|it| it.friction.is_some()).then(|| {

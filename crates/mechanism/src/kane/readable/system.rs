@@ -133,9 +133,9 @@ impl Page<'_> {
     fn results(&mut self, mode: &ModeEquations) {
         self.section("readout, energy (J) and power (W)".to_owned());
         self.want("readout", mode.readout);
-        self.want("energy", mode.energy);
-        self.want("supplied", mode.supplied);
-        self.want("dissipated", mode.dissipated);
+        self.want("energy", mode.balance.energy);
+        self.want("supplied", mode.balance.supplied);
+        self.want("dissipated", mode.balance.dissipated);
         self.section("outputs".to_owned());
         let outputs = self.system.mechanism.outputs.iter().zip(&mode.outputs);
         for (output, node) in outputs.filter(|(output, _)| !is_pose(&output.name)) {

@@ -22,7 +22,7 @@ pub fn program() -> Program {
     let lost = graph.product(&[(b, 1), (l, 2), (rate, 2)]);
     let start = graph.constant(0.3);
     let mode = draft.mode("swing", &[rate, acceleration]);
-    (mode.energy, mode.dissipated) = (Some(energy), Some(lost));
+    (mode.balance.energy, mode.balance.dissipated) = (Some(energy), Some(lost));
     draft.mechanism.rest.coordinates[0] = Some(start);
     draft.program()
 }

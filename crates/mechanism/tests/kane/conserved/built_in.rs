@@ -53,7 +53,7 @@ fn without_losses_no_mode_of_model_c_dissipates() {
     for (number, mode) in derived.system.modes.iter().enumerate() {
         for _ in 0..10 {
             let (state, input) = somewhere(&derived, number, &mut numbers);
-            let lost = derived.one(mode.dissipated.expect("a power"), &state, input);
+            let lost = derived.one(mode.balance.dissipated.expect("a power"), &state, input);
             close(lost, 0.0, 1e-12, &format!("mode {number}"));
         }
     }

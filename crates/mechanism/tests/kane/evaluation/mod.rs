@@ -173,8 +173,12 @@ pub(crate) fn imbalance(derived: &mut Derived, mode: usize, state: &[f64], input
     for k in 0..3 {
         seeds.push((Place::Input(k), graph.symbol(Place::Input(k + 1))));
     }
-    let rate = Tangent::new(seeds).of(graph, equations.energy.expect("energy"));
-    let nodes = [rate, equations.supplied.expect("supplied"), equations.dissipated.expect("lost")];
+    let rate = Tangent::new(seeds).of(graph, equations.balance.energy.expect("energy"));
+    let nodes = [
+        rate,
+        equations.balance.supplied.expect("supplied"),
+        equations.balance.dissipated.expect("lost"),
+    ];
     let [rate, supplied, lost] = derived.all(&nodes, state, input)[..] else { unreachable!() };
     (rate - supplied + lost) / (1.0 + rate.abs() + supplied.abs() + lost.abs())
 }
