@@ -79,7 +79,8 @@ pub struct SimulateArgs {
     /// Method. Explicit, by order: explicit-euler, semi-implicit-euler, heun, velocity-verlet,
     /// adams-bashforth2, adams-bashforth3, bogacki-shampine, rk4, tsitouras5. For stiff modes:
     /// linear-implicit-midpoint (makes no energy), rodas3. For actions with felts: newmark (rk4 in
-    /// modes without a mass matrix). For linear modes: exact (rk4 in the others). For long steps: dop853. The cheapest that will do, mode by mode: by-need.
+    /// modes without a mass matrix). For linear modes: exact (rk4 in the others). For long steps:
+    /// dop853. The cheapest that will do, mode by mode: by-need.
     #[arg(long, value_name = "M", default_value = Rk4::NAME)]
     pub method: String,
 

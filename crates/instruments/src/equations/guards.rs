@@ -18,12 +18,13 @@ pub(super) const STILL: f64 = 1e-10;
 pub(super) const HOP: f64 = 1e-5;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
-    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
-    #[inline(always)]
+    #[inline]
     fn mechanical(&self) -> Option<&dyn Mechanical<ModeNumber, [f64; N], Motion>> {
         Some(self)
     }
 
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mode = self.mode_table(mode);
         if mode.constraints.slaved.is_none() && mode.constraints.projection.is_none() {

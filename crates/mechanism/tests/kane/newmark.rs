@@ -5,7 +5,7 @@ use pode::contacts::WithContacts;
 use pode::stepper::{Any, Newmark, Rk4};
 use pode::{Energetic as _, Limits, Motion, RunRecorder, Simulator, Stepper};
 
-use crate::kane::runnable::{Run, ShippedModel, described, model, shipped};
+use crate::kane::runnable::{Run, ShippedModel, described, mass, shipped};
 
 type Action = WithContacts<Run<16>>;
 
@@ -143,27 +143,15 @@ fn every_action_with_felts_is_played_with_two_to_four_steps_a_tick() {
 
 /// Returns a mass of 1 kg between a spring to the input and nothing else.
 fn oscillator(stiffness: f64, loss: f64, more: &str) -> WithContacts<Run<2>> {
-    let text = format!(
+    let model = mass(&format!(
         r#"
-name = "oscillator"
-summary = "a mass on a spring"
 coordinates.x = {{ unit = "m", range = ["-1 m", "1 m"], speed_range = ["-10 m/s", "10 m/s"] }}
 frames.mass = {{ in = "ground", origin = ["x", "0 m"] }}
 bodies.mass = {{ frame = "mass", mass = "1 kg" }}
 springs.spring = {{ stretch = "x - s", stiffness = "{stiffness:?} N/m", damping = "{loss:?} N*s/m" }}
 {more}
-[input]
-name = "s"
-unit = "m"
-per_metre = "1"
-
-[modes.only]
-
-[rest]
-mode = "only"
 "#
-    );
-    let model: Run<2> = model(described(&text), (0, 0));
+    ));
     WithContacts::new(model).expect("few guards")
 }
 

@@ -32,6 +32,27 @@ pub(crate) fn described(text: &str) -> DerivedModel {
     derive_model("it.toml", text, &Folder).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }
 
+/// Returns the model of a mass that `text` describes, with one mode and the input s (m).
+pub(crate) fn mass(text: &str) -> Run<2> {
+    let text = format!(
+        r#"
+name = "mass"
+summary = "a mass that touches"
+{text}
+[input]
+name = "s"
+unit = "m"
+per_metre = "1"
+
+[modes.only]
+
+[rest]
+mode = "only"
+"#
+    );
+    model(described(&text), (0, 0))
+}
+
 pub(crate) fn shipped(name: &str) -> String {
     let texts = files().into_iter().map(|file| std::fs::read_to_string(file).expect("a file"));
     let mut named = texts.filter(|text| text.starts_with(&format!("name = \"{name}\"")));

@@ -3,27 +3,7 @@ use pode::contacts::{ContactState, WithContacts};
 use pode::stepper::Rk4;
 use pode::{Auditor, Energetic as _, Guarded as _, Limits, Motion, RunRecorder, Simulator};
 
-use crate::kane::runnable::{Run, described, model as built};
-
-fn mass(text: &str) -> Run<2> {
-    let text = format!(
-        r#"
-name = "mass"
-summary = "a mass that touches"
-{text}
-[input]
-name = "s"
-unit = "m"
-per_metre = "1"
-
-[modes.only]
-
-[rest]
-mode = "only"
-"#
-    );
-    built(described(&text), (0, 0))
-}
+use crate::kane::runnable::{Run, mass};
 
 fn falling() -> Run<2> {
     mass(

@@ -2,7 +2,7 @@
 
 use crate::dense::{Dense, DenseBounds};
 use crate::part::Part;
-use crate::state::{State, magnitudes};
+use crate::state::State;
 
 /// x(τ) = c0 + τ (c1 + τ (c2 + …)) for τ in 0 ..= 1 of a step, with at most `N` terms.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -100,7 +100,7 @@ impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
         let used = if N <= SHORT { N } else { self.used.min(N) };
         let (mut moves, mut speeds, mut bends) = (S::ZERO, S::ZERO, S::ZERO);
         for power in 1..used {
-            let (size, n) = (magnitudes(&self.terms[power]), power as f64);
+            let (size, n) = (self.terms[power].magnitudes(), power as f64);
             moves = moves.plus(1.0, &size);
             speeds = speeds.plus(n, &size);
             bends = bends.plus(n * (n - 1.0), &size);

@@ -24,9 +24,8 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     #[must_use]
     fn times(&self, a: f64) -> Self;
 
-    /// Returns the state with each entry as a function of its index and value.
     #[must_use]
-    fn map_entries(&self, entry: impl FnMut(usize, f64) -> f64) -> Self;
+    fn magnitudes(&self) -> Self;
 
     /// Returns the first `n` entries of `self` followed by the rest of `tail`.
     #[must_use]
@@ -59,8 +58,8 @@ impl<const N: usize> State for [f64; N] {
     }
 
     #[inline]
-    fn map_entries(&self, mut entry: impl FnMut(usize, f64) -> f64) -> Self {
-        core::array::from_fn(|i| entry(i, self[i]))
+    fn magnitudes(&self) -> Self {
+        self.map(f64::abs)
     }
 
     #[inline]
@@ -87,12 +86,6 @@ impl<const N: usize> State for [f64; N] {
 #[inline]
 pub(crate) fn is_finite<S: State>(x: &S) -> bool {
     x.entries().iter().all(|entry| entry.is_finite())
-}
-
-/// Returns the magnitudes of the entries.
-#[inline]
-pub(crate) fn magnitudes<S: State>(x: &S) -> S {
-    x.map_entries(|_, entry| entry.abs())
 }
 
 /// Returns the largest magnitude of the entries; NaN entries do not count.

@@ -86,12 +86,8 @@ impl FunctionList {
                 layout.place(Place::Extra(number), Argument::Extra(number));
             }
         }
+        // Sides of contacts, the step and the start of the input have lower numbers.
         for number in (0..).take(MechanicsLayout::COUNT) {
-            layout.place(Place::Extra(number), Argument::Extra(number));
-        }
-        let sides = 0..MAX_CODED_CONTACTS;
-        for number in sides.chain([EnclosureLayout::step(), EnclosureLayout::input_start()]) {
-            let number = u16::try_from(number).unwrap_or(u16::MAX);
             layout.place(Place::Extra(number), Argument::Extra(number));
         }
         layout.place(Place::Key, Argument::Extra(0));

@@ -76,17 +76,6 @@ impl<'a> StepForm<'a> {
         self.form.speeds
     }
 
-    /// Returns a value of each entry by its role; others keep theirs.
-    fn by_role(&mut self, of: impl Fn(&mut Self, EntryRole, Node) -> Node) -> Vec<Node> {
-        let entries: Vec<_> = self.places.iter().copied().zip(self.form.roles.clone()).collect();
-        let mut all = Vec::new();
-        for (place, role) in entries {
-            let symbol = self.graph.symbol(place);
-            all.push(of(self, role, symbol));
-        }
-        all
-    }
-
     /// Returns the speed `k` at the start.
     fn speed(&mut self, k: usize) -> Node {
         let entry = self.form.roles.iter().position(|it| *it == EntryRole::Speed(k));
@@ -95,18 +84,22 @@ impl<'a> StepForm<'a> {
 
     /// Returns the state with q + h u + h²/2 a and u + h a.
     fn prediction(&mut self) -> Vec<Node> {
-        let moved = |it: &mut Self, role, start| match role {
-            EntryRole::Coordinate(k) => {
-                let [linear, square] = it.way(k);
-                it.graph.sum(&[(start, 1.0), (linear, 1.0), (square, 1.0)])
-            }
-            EntryRole::Speed(k) => {
-                let more = it.graph.multiply(it.h, it.acceleration[k]);
-                it.graph.add(start, more)
-            }
-            EntryRole::Internal(_) | EntryRole::Slaved => start,
-        };
-        self.by_role(moved)
+        let mut all = Vec::new();
+        for (place, role) in self.places.iter().zip(&self.form.roles) {
+            let start = self.graph.symbol(*place);
+            all.push(match *role {
+                EntryRole::Coordinate(k) => {
+                    let [linear, square] = self.way(k);
+                    self.graph.sum(&[(start, 1.0), (linear, 1.0), (square, 1.0)])
+                }
+                EntryRole::Speed(k) => {
+                    let more = self.graph.multiply(self.h, self.acceleration[k]);
+                    self.graph.add(start, more)
+                }
+                EntryRole::Internal(_) | EntryRole::Slaved => start,
+            });
+        }
+        all
     }
 
     /// Returns the rows of a triangle of values that begins at `first`.

@@ -64,8 +64,7 @@ impl ModeScope<'_> {
         let mut equations = ModeEquations::default();
         self.move_state(graph, &mut forms, &mut equations);
         self.project(graph, &mut equations);
-        let is_free = equations.is_free.clone();
-        equations.mechanical = self.mechanical(graph, &mut forms, &is_free);
+        equations.mechanical = self.mechanical(graph, &mut forms, &equations.is_free);
         let scope = ContactScope { mechanism, inertia: self.inertia, motion, state: self.state };
         equations.contacts = scope.all(graph, &mut forms, mode);
         let stated = mode.readout.or(mechanism.input.readout);

@@ -19,7 +19,7 @@ struct ElementSums {
 
 impl ElementSums {
     fn new(speeds: usize) -> Self {
-        let packed = vec![Vec::new(); speeds * (speeds + 1) / 2];
+        let packed = vec![Vec::new(); Layout::packed(speeds)];
         Self { stiffness: packed.clone(), damping: packed, slopes: Vec::new() }
     }
 

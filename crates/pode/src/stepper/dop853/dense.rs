@@ -5,7 +5,7 @@ use super::tableau::{A13, A14, A15, D0, D1, D2, D3, NODES};
 use super::weighed;
 use crate::dense::{Dense, DenseBounds};
 use crate::part::Part;
-use crate::state::{State, magnitudes};
+use crate::state::State;
 use crate::stepper::Field;
 
 /// x(τ) = c0 + τ (c1 + σ (c2 + τ (c3 + σ (c4 + …)))), σ = 1 − τ.
@@ -94,7 +94,7 @@ impl<S: State> Dense<S> for Dense8<S> {
         }
         let zero = DenseBounds { moves: S::ZERO, speeds: S::ZERO, bends: S::ZERO };
         Some(self.terms[1..].iter().zip(MOST).fold(zero, |sum, (term, [move_, speed, bend])| {
-            let size = magnitudes(term);
+            let size = term.magnitudes();
             DenseBounds {
                 moves: sum.moves.plus(move_, &size),
                 speeds: sum.speeds.plus(speed, &size),
