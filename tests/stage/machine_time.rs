@@ -24,6 +24,9 @@ const LOOK: Duration = Duration::from_millis(10);
 
 const LOOKS_PER_SCAN: u32 = 50;
 
+/// Looks over which stolen time is added up: a count of ticks of 10 ms says nothing of one look.
+const LOOKS_PER_THEFT: u32 = 10;
+
 /// Longest time until the kernel counts what a running thread has run.
 const TICK: Duration = Duration::from_millis(10);
 
@@ -164,6 +167,7 @@ impl Drop for Guarded {
 fn longest_wait(added: &Receiver<Task>) -> Duration {
     let (mut tasks, mut workers, mut threads) = (Vec::new(), Vec::new(), BTreeMap::new());
     let mut longest = Duration::ZERO;
+    let mut stolen = stolen_time();
     for n in 0.. {
         let due = Instant::now() + LOOK;
         let is_over = receive_until(due, added, &mut tasks);
@@ -171,6 +175,12 @@ fn longest_wait(added: &Receiver<Task>) -> Duration {
         longest = longest.max(Instant::now().saturating_duration_since(due));
         if n % LOOKS_PER_SCAN == 0 {
             workers = kernel_workers();
+        }
+        if n % LOOKS_PER_THEFT == 0 {
+            let now = stolen_time();
+            let thefts = now.iter().zip(&stolen).map(|(now, last)| now.saturating_sub(*last));
+            longest = longest.max(thefts.max().unwrap_or_default().saturating_sub(TICK));
+            stolen = now;
         }
         for thread in tasks.iter().flat_map(Task::threads).chain(workers.iter().cloned()) {
             let Some(look) = ThreadLook::new(&thread) else { continue };
@@ -195,6 +205,14 @@ fn receive_until(due: Instant, added: &Receiver<Task>, tasks: &mut Vec<Task>) ->
             Err(RecvTimeoutError::Disconnected) => return true,
         }
     }
+}
+
+/// Time that a hypervisor gave to others, of each processor: no thread's count contains it.
+fn stolen_time() -> Vec<Duration> {
+    let stat = fs::read_to_string("/proc/stat").unwrap_or_default();
+    let processors = stat.lines().filter(|line| line.starts_with("cpu") && !line.starts_with("cpu "));
+    let stolen = |line: &str| line.split_whitespace().nth(8)?.parse().ok();
+    processors.map(|line| TICK * stolen(line).unwrap_or(0)).collect()
 }
 
 fn kernel_workers() -> Vec<PathBuf> {

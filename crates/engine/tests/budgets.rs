@@ -1,8 +1,10 @@
 //! The real pool, scheduler and loop under disturbances: no voice waits while there is time.
 //!
-//! Voices use processor time by their thread's clock, so other programs do not affect the results.
+//! Voices use processor time by their thread's clock, so other programs do not affect the results;
+//! a hypervisor does, so voices measure how long it lets them wait.
 #![expect(clippy::unwrap_used, reason = "a test may stop here")]
 
+use std::cell::Cell;
 use std::num::NonZeroUsize;
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
@@ -25,12 +27,34 @@ const RECOVERY: u64 = 100;
 
 const DISTURBED: usize = 40;
 
-/// Uses `time` of the calling thread's processor time (ns).
-fn burn(time: f64) {
+/// Time of a thread (ns) that neither a voice nor the pool uses between two looks at the clock.
+/// A hypervisor's theft looks like it: a thread's clock continues meanwhile.
+const STALL: f64 = 100_000.0;
+
+/// Force (N) of a turn during or before which the machine stalled, and of all others.
+const STALLED: f64 = 2.0;
+const UNDISTURBED: f64 = 1.0;
+
+thread_local! {
+    /// When this thread's last turn ended, and its tick.
+    static LAST_TURN: Cell<Option<(u64, Nanos)>> = const { Cell::new(None) };
+}
+
+/// Uses `time` of the calling thread's processor time (ns), and returns `false` if the machine
+/// stalled since the thread's last turn of this tick.
+fn burn(tick: u64, time: f64) -> bool {
     let start = clock::thread_cpu();
-    while (clock::thread_cpu().since(start).as_u64() as f64) < time {
+    let last_end = LAST_TURN.get().filter(|(of, _)| *of == tick).map_or(start, |(_, end)| end);
+    let mut end = start;
+    let mut longest = start.since(last_end).as_u64();
+    while (end.since(start).as_u64() as f64) < time {
         std::hint::spin_loop();
+        let now = clock::thread_cpu();
+        longest = longest.max(now.since(end).as_u64());
+        end = now;
     }
+    LAST_TURN.set(Some((tick, end)));
+    (longest as f64) < STALL
 }
 
 type Burden = Arc<dyn Fn(u64) -> (u32, f64) + Send + Sync>;
@@ -46,11 +70,12 @@ impl Voice for Burner {
         let (units, time) = (self.burden)(tick);
         let is_capped = self.limit < units;
         let done = units.min(self.limit);
-        burn(time * f64::from(done) / f64::from(units.max(1)));
+        let time = time * f64::from(done) / f64::from(units.max(1));
+        turn.force = if burn(tick, time) { UNDISTURBED } else { STALLED };
         if is_capped {
             turn.fail(VoiceFault::Capped { handled: 0 });
         }
-        (turn.force, turn.work.units) = (1.0, done);
+        turn.work.units = done;
     }
 
     fn restrict(&mut self, rules: TurnRules) {
@@ -85,6 +110,8 @@ struct TurnLog {
     waits: Vec<(u64, usize)>,
     failed: Vec<(u64, u32)>,
     muted: Vec<u64>,
+    /// Ticks in which the machine stalled.
+    stalls: Vec<Range<u64>>,
 }
 
 impl TickObserver for TurnLog {
@@ -93,6 +120,9 @@ impl TickObserver for TurnLog {
         let waited = seen.turns.iter().filter(|turn| turn.waited).count();
         if 0 < waited {
             self.waits.push((seen.tick, waited));
+        }
+        if seen.turns.iter().any(|turn| !turn.waited && turn.force == STALLED) {
+            self.stalls.push(seen.tick..seen.tick + 1);
         }
         let turn = &seen.turns[DISTURBED];
         match turn.fault {
@@ -107,7 +137,8 @@ impl TurnLog {
     #[track_caller]
     fn check(&self, disturbances: &[Range<u64>], situation: &str) {
         let is_expected = |tick: &u64| {
-            disturbances.iter().any(|it| it.start <= *tick && *tick < it.end + RECOVERY)
+            let mut all = disturbances.iter().chain(&self.stalls);
+            all.any(|it| it.start <= *tick && *tick < it.end + RECOVERY)
         };
         let wrong = self.waits.iter().filter(|(tick, _)| !is_expected(tick));
         let wrong: Vec<_> = wrong.take(5).collect();
