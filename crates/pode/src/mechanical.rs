@@ -35,7 +35,8 @@ pub struct PressedContact {
 
 /// A model with modes in mechanical form.
 pub trait Mechanical<M, S, I> {
-    /// Takes a step from `x`, with the input at the step's end; `None` without a mechanical form.
+    /// Takes a step from `x`, with the input at the step's end; `None` without a mechanical form, or
+    /// where another method suits the mode better.
     ///
     /// # Real-time
     /// Bounded: three functions of the mode, and one of each closed contact.

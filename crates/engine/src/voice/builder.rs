@@ -10,7 +10,7 @@ use haptics::{
 };
 use instruments::{ModelEntry, Playable, Visitor};
 use pode::Limits;
-use pode::stepper::{self, Any, Rk4};
+use pode::stepper::{self, Any};
 use scheduler::observation::MAX_STATES;
 use scheduler::time::Period;
 use scheduler::values::MAX_VALUES;
@@ -150,37 +150,23 @@ struct Builder<'a> {
 impl Visitor for Builder<'_> {
     type Output = Result<AnyVoice, BuildError>;
 
-    /// One voice type per model size and kind of method, so that a further model compiles no code.
+    /// One voice type per model size for the method of most scenes, and one for all others, so that
+    /// a further model compiles no code.
     fn visit<M: Playable>(self, model: M) -> Self::Output {
-        if let Any::Rk4(rk4) = self.render.stepper {
-            return Rk4Builder { rk4, builder: self }.visit(model);
-        }
         let model = model.with_values(self.values);
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let asked = self.render.stepper;
-        let stepper = if let Any::ByNeed(_) = asked { Any::ByNeed(by_need) } else { asked };
-        let fittings = self.fittings(model.input_per_metre())?;
-        Ok(Box::new(RenderedKey::new(model, stepper, fittings)))
-    }
-}
-
-struct Rk4Builder<'a> {
-    rk4: Rk4,
-    builder: Builder<'a>,
-}
-
-impl Visitor for Rk4Builder<'_> {
-    type Output = Result<AnyVoice, BuildError>;
-
-    fn visit<M: Playable>(self, model: M) -> Self::Output {
-        let model = model.with_values(self.builder.values);
-        let fittings = self.builder.fittings(model.input_per_metre())?;
-        Ok(Box::new(RenderedKey::new(model, self.rk4, fittings)))
+        let settings = self.settings(model.input_per_metre())?;
+        Ok(match asked {
+            Any::Newmark(newmark) => Box::new(RenderedKey::new(model, newmark, settings)),
+            Any::ByNeed(_) => Box::new(RenderedKey::new(model, Any::ByNeed(by_need), settings)),
+            _ => Box::new(RenderedKey::new(model, asked, settings)),
+        })
     }
 }
 
 impl Builder<'_> {
-    fn fittings(self, scale: f64) -> Result<VoiceSettings, BuildError> {
+    fn settings(self, scale: f64) -> Result<VoiceSettings, BuildError> {
         let Self { render, h, rig, delay, cell, slopes, speed_step, revision, .. } = self;
         let estimator = render.estimator(h, rig.quantum);
         let estimator = speed_step.map_or(estimator, |step| estimator.with_measured_speed(step));

@@ -7,10 +7,19 @@ use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::{EquationModel, rates_of};
 use crate::equations::table::{Equations, MechanicsLayout as Layout, MechanicsTable};
 
+/// Step (s) from which on RK4 takes a tick in one: it is more accurate then, and as quick.
+const SLOW: f64 = 1e-3;
+
 /// Maximum number of values of a contact: those that it adds, and its stiffness row.
 const MAX_ADDED: usize = 2 * MAX_SPEEDS + 2 * Layout::packed(MAX_SPEEDS);
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
+    fn mechanics(&self, mode: ModeNumber) -> Option<&MechanicsTable> {
+        let table = self.mode_table(mode);
+        let is_slow = SLOW <= self.natures().nature(mode).longest_step && !table.is_stiffening;
+        table.mechanics.as_ref().filter(|_| !is_slow)
+    }
+
     /// Takes a step with these contacts closed, whose slopes are known.
     fn mechanical_step(
         &self,
@@ -19,7 +28,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         input: &Motion,
         step: &MechanicalStep,
     ) -> Option<MechanicalEnd<[f64; N]>> {
-        let mechanics = self.mode_table(mode).mechanics.as_ref()?;
+        let mechanics = self.mechanics(mode)?;
         let input = rates_of(input);
         let mut extra = [0.0; Layout::COUNT];
         extra[Layout::STEP] = step.h;

@@ -25,7 +25,8 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 ///
 /// Dense output: h u0, h²/2 a and β h² Δ are the terms of τ, τ² and τ³. A cubic through the rates at
 /// both ends would first move against Δ, since β is not 1/6. The acceleration is void after a reset,
-/// and then costs one more evaluation. Modes without a mechanical form are stepped by [`Rk4`].
+/// and then costs one more evaluation. Modes without a mechanical form, and slow ones, are stepped by
+/// [`Rk4`].
 /// `[New59]`, `[Hug87]` 9.1; `[FG49]` for β = 1/12.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Newmark {
