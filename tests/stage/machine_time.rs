@@ -210,7 +210,8 @@ fn receive_until(due: Instant, added: &Receiver<Task>, tasks: &mut Vec<Task>) ->
 /// Time that a hypervisor gave to others, of each processor: no thread's count contains it.
 fn stolen_time() -> Vec<Duration> {
     let stat = fs::read_to_string("/proc/stat").unwrap_or_default();
-    let processors = stat.lines().filter(|line| line.starts_with("cpu") && !line.starts_with("cpu "));
+    let processors =
+        stat.lines().filter(|line| line.starts_with("cpu") && !line.starts_with("cpu "));
     let stolen = |line: &str| line.split_whitespace().nth(8)?.parse().ok();
     processors.map(|line| TICK * stolen(line).unwrap_or(0)).collect()
 }

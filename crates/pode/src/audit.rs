@@ -5,6 +5,7 @@ use core::ops::Add;
 use crate::input::Signal;
 use crate::model::Guarded;
 use crate::state::State as _;
+use crate::stepper::PowerRule;
 use crate::watch::{Event, EventCause, Piece, Watch};
 
 /// Energy and powers of a model at one instant, or a part of them.
@@ -117,7 +118,7 @@ impl EnergyAudit {
         rise
     }
 
-    /// Adds a piece; the state alone gives the balances `start` and `end` at its ends.
+    /// Adds a piece with the balances at its ends.
     #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
     #[inline(always)]
     fn add_piece<M: Energetic, S: Signal<M::Input>>(
@@ -127,16 +128,20 @@ impl EnergyAudit {
         (start, end): (EnergyBalance, EnergyBalance),
     ) {
         let mode = piece.mode;
-        let start = start + model.balance_of_input(mode, &piece.start, &piece.inputs[0]);
-        let middle = piece.is_audited_inside.then(|| {
-            let (x, input) = piece.middle(model);
-            model.balance_of_state(mode, &x) + model.balance_of_input(mode, &x, &input)
-        });
-        let end = end + model.balance_of_input(mode, &piece.end, &piece.inputs[1]);
+        let (middle, absorbed) = match piece.powers {
+            PowerRule::Simpson => {
+                let (x, input) = piece.middle(model);
+                let middle =
+                    model.balance_of_state(mode, &x) + model.balance_of_input(mode, &x, &input);
+                (Some(middle), 0.0)
+            }
+            PowerRule::Trapezoid { absorbed } => (None, absorbed * piece.tau),
+        };
         let h = piece.duration();
         let supplied = h * mean(start.supplied, middle.map(|it| it.supplied), end.supplied);
         let dissipated = h * mean(start.dissipated, middle.map(|it| it.dissipated), end.dissipated);
         self.supplied += supplied;
+        let dissipated = dissipated + absorbed;
         self.dissipated += dissipated;
         let jump = self.rise_to(start.energy);
         // Within a tick a state is only put back on its constraints.
@@ -177,8 +182,10 @@ fn mean(start: f64, middle: Option<f64>, end: f64) -> f64 {
 impl<M: Energetic> Watch<M> for EnergyAudit {
     #[inline]
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
-        let [start, end] =
-            [&piece.start, &piece.end].map(|x| model.balance_of_state(piece.mode, x));
+        let ends = [(&piece.start, &piece.inputs[0]), (&piece.end, &piece.inputs[1])];
+        let [start, end] = ends.map(|(x, input)| {
+            model.balance_of_state(piece.mode, x) + model.balance_of_input(piece.mode, x, input)
+        });
         self.add_piece(model, piece, (start, end));
     }
 
@@ -187,33 +194,36 @@ impl<M: Energetic> Watch<M> for EnergyAudit {
     }
 }
 
-/// An energy audit that evaluates each state's balance once: a piece starts where the last ended.
+/// An energy audit that evaluates each balance once: a piece starts where the last ended, and within
+/// a tick with the same input.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Auditor<M: Energetic> {
     pub sums: EnergyAudit,
     /// Evaluations of the balance, by state and by input, and of the energy at events.
     pub evaluations: u64,
-    mode: Option<M::Mode>,
+    last: Option<LastEnd<M>>,
+}
+
+/// The end of the last piece, with its balance by the state, and whole.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct LastEnd<M: Energetic> {
+    mode: M::Mode,
     state: M::State,
-    balance: EnergyBalance,
+    input: M::Input,
+    of_state: EnergyBalance,
+    whole: EnergyBalance,
 }
 
 impl<M: Energetic> Default for Auditor<M> {
     fn default() -> Self {
-        Self {
-            sums: EnergyAudit::default(),
-            evaluations: 0,
-            mode: None,
-            state: M::State::ZERO,
-            balance: EnergyBalance::default(),
-        }
+        Self { sums: EnergyAudit::default(), evaluations: 0, last: None }
     }
 }
 
 impl<M: Energetic> Auditor<M> {
     /// Clears the last state's balance after a change of the model's parameters.
     pub const fn forget(&mut self) {
-        self.mode = None;
+        self.last = None;
         self.sums.forget();
     }
 }
@@ -229,15 +239,26 @@ impl<M: Energetic> Watch<M> for Auditor<M> {
     #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
     #[inline(always)]
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
-        let is_known = self.mode == Some(piece.mode) && self.state == piece.start;
-        let start =
-            if is_known { self.balance } else { balance_anew(model, piece.mode, piece.start) };
-        let end = model.balance_of_state(piece.mode, &piece.end);
-        // Of input and state at each place, and of the state at the start if it is unknown.
-        let inside = if piece.is_audited_inside { 2 } else { 0 };
-        self.evaluations += 3 + inside + u64::from(!is_known);
+        let [input, end_input] = piece.inputs;
+        let mode = piece.mode;
+        let known = self.last.as_ref().filter(|it| it.mode == mode && it.state == piece.start);
+        let start = match known {
+            Some(it) if it.input == input => it.whole,
+            Some(it) => it.of_state + model.balance_of_input(mode, &piece.start, &input),
+            None => {
+                balance_anew(model, mode, piece.start)
+                    + model.balance_of_input(mode, &piece.start, &input)
+            }
+        };
+        let of_state = model.balance_of_state(mode, &piece.end);
+        let end = of_state + model.balance_of_input(mode, &piece.end, &end_input);
+        // Of input and state at each place that is not known.
+        let at_start = known.map_or(2, |it| u64::from(it.input != input));
+        let inside = if piece.powers == PowerRule::Simpson { 2 } else { 0 };
+        self.evaluations += 2 + inside + at_start;
         self.sums.add_piece(model, piece, (start, end));
-        (self.mode, self.state, self.balance) = (Some(piece.mode), piece.end, end);
+        self.last =
+            Some(LastEnd { mode, state: piece.end, input: end_input, of_state, whole: end });
     }
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {

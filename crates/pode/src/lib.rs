@@ -78,7 +78,9 @@ pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS, Reads};
 pub use input::{Motion, Signal};
 pub use limits::{Limits, WorkLimit};
 pub use locate::{Bracket, Located, locate};
-pub use mechanical::{MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalStep, PressedContact};
+pub use mechanical::{
+    MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalOutcome, MechanicalStep, PressedContact,
+};
 
 pub use model::{Guarded, Model, Reset, Resets, Settling};
 pub use nature::{EquationKind, Nature};

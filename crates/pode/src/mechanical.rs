@@ -21,7 +21,21 @@ pub struct MechanicalEnd<S> {
     pub acceleration: [f64; MAX_SPEEDS],
     /// Largest force of an element that the correction moved (N).
     pub error: f64,
+    /// Closed contacts, but for one that is followed apart.
     pub contact: Option<PressedContact>,
+    /// Energy (J) that a contact followed apart absorbed, beyond what the powers at the ends show.
+    pub absorbed: f64,
+}
+
+/// A step in mechanical form, or the reason why it must be shorter.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[expect(clippy::large_enum_variant, reason = "nearly each step is the large one")]
+pub enum MechanicalOutcome<S> {
+    End(MechanicalEnd<S>),
+    /// A contact that is followed apart opens inside the step: it must end `after` (s).
+    Opens {
+        after: f64,
+    },
 }
 
 /// Closed contacts in a step.
@@ -40,5 +54,11 @@ pub trait Mechanical<M, S, I> {
     ///
     /// # Real-time
     /// Bounded: three functions of the mode, and one of each closed contact.
-    fn step(&self, mode: M, x: &S, input: &I, step: &MechanicalStep) -> Option<MechanicalEnd<S>>;
+    fn step(
+        &self,
+        mode: M,
+        x: &S,
+        input: &I,
+        step: &MechanicalStep,
+    ) -> Option<MechanicalOutcome<S>>;
 }

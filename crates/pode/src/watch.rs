@@ -6,6 +6,7 @@ use crate::input::Signal;
 use crate::model::{Guarded, Model};
 use crate::outcome::Tick;
 use crate::state::State as _;
+use crate::stepper::PowerRule;
 
 /// A stretch of one tick in one mode, with its dense output.
 #[derive(Debug)]
@@ -21,7 +22,7 @@ pub struct Piece<'a, M: Model, S> {
     pub end: M::State,
     pub inputs: [M::Input; 2],
     pub(crate) middle: Option<(M::State, M::Input)>,
-    pub(crate) is_audited_inside: bool,
+    pub(crate) powers: PowerRule,
     /// Begin of the piece within its tick, and end of the whole step.
     pub theta: (f64, f64),
     pub tick: u64,

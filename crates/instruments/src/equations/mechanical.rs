@@ -1,11 +1,15 @@
 //! Steps in the mechanical form of a table's modes.
 
 use pode::contacts::{ContactIndices, ContactMode, ContactSet};
-use pode::{Cubic, MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalStep, Motion, PressedContact};
+use pode::{
+    Cubic, MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalOutcome, MechanicalStep, Motion,
+    PressedContact,
+};
 
+use crate::equations::apart::{Pulse, StruckContact};
 use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::{EquationModel, rates_of};
-use crate::equations::table::{Equations, MechanicsLayout as Layout, MechanicsTable};
+use crate::equations::table::{ApartTable, Equations, MechanicsLayout as Layout, MechanicsTable};
 
 /// Step (s) from which on RK4 takes a tick in one: it is more accurate then, and as quick.
 const SLOW: f64 = 1e-3;
@@ -27,17 +31,28 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         x: &[f64; N],
         input: &Motion,
         step: &MechanicalStep,
-    ) -> Option<MechanicalEnd<[f64; N]>> {
+    ) -> Option<MechanicalOutcome<[f64; N]>> {
         let mechanics = self.mechanics(mode)?;
+        let apart = self.apart_contact(mode, closed);
+        let strike = match apart.filter(|_| step.h > 0.0).map(|it| self.strike(&it, x, input, step))
+        {
+            Some(Err(after)) => return Some(MechanicalOutcome::Opens { after }),
+            Some(Ok(strike)) => Some(strike),
+            None => None,
+        };
+        let pressed = if apart.is_some() { ContactSet::OPEN.closed() } else { closed };
         let input = rates_of(input);
         let mut extra = [0.0; Layout::COUNT];
         extra[Layout::STEP] = step.h;
         extra[Layout::ACCELERATION..Layout::CONTACTS].copy_from_slice(&step.acceleration);
         let mut predicted = [0.0; N];
         self.call_with(mechanics.prediction, (x, &input), &extra, &mut predicted);
+        if let Some(strike) = &strike {
+            strike.add_to(&mut predicted);
+        }
         let (head, values) = extra.split_at_mut(Layout::VALUES);
         self.call_with(mechanics.values, (&predicted, &input), head, values);
-        for contact in closed {
+        for contact in pressed {
             let function = self.contact(mode, contact).and_then(|it| it.gradients.mechanics)?;
             let mut added = [0.0; MAX_ADDED];
             self.call_with(function, (&predicted, &input), head, &mut added);
@@ -45,19 +60,59 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         }
         let mut out = [[0.0; N]; 6];
         self.call_with(mechanics.correction, (x, &input), &extra, out.as_flattened_mut());
-        Some(self.mechanical_end(mechanics, (x, out.as_flattened()), closed))
+        let strike = strike.map(|it| (it, step.h));
+        let end = self.mechanical_end(mechanics, (x, out.as_flattened()), (pressed, strike));
+        Some(MechanicalOutcome::End(end))
+    }
+
+    /// Returns the only closed contact, if it can be followed apart.
+    fn apart_contact(&self, mode: ModeNumber, closed: ContactIndices) -> Option<ApartTable> {
+        let mut all = closed.into_iter();
+        let (Some(only), None) = (all.next(), all.next()) else { return None };
+        self.contact(mode, only)?.gradients.apart
+    }
+
+    /// Follows a contact over a step; returns the length (s) of a shorter one if it opens inside.
+    fn strike(
+        &self,
+        apart: &ApartTable,
+        x: &[f64; N],
+        input: &Motion,
+        step: &MechanicalStep,
+    ) -> Result<Strike, f64> {
+        let rates = rates_of(input);
+        let mut place = [0.0; 3];
+        self.call_with(apart.place, (x, &rates), &[], &mut place);
+        let [depth, slope, mass] = place;
+        let law = |depth: f64, rate: f64| {
+            let mut out = [0.0; 3];
+            self.call_with(apart.law, (x, &rates), &[depth, rate], &mut out);
+            out
+        };
+        let entry = |list: &[f64], at: u8| list.get(usize::from(at)).copied().unwrap_or(0.0);
+        let contact = StruckContact {
+            depth,
+            rate: slope * entry(x, apart.entries.1),
+            acceleration: slope * entry(&step.acceleration, apart.speed),
+            mobility: slope * slope / mass,
+        };
+        let Pulse { depth, rate, absorbed } = contact.pulse(step.h, law)?;
+        Ok(Strike { entries: apart.entries, place: depth / slope, speed: rate / slope, absorbed })
     }
 
     fn mechanical_end(
         &self,
         mechanics: &MechanicsTable,
         (x, out): (&[f64; N], &[f64]),
-        closed: ContactIndices,
+        (closed, strike): (ContactIndices, Option<(Strike, f64)>),
     ) -> MechanicalEnd<[f64; N]> {
         let count = self.table().states.len();
         let mut states = [[0.0; N]; 4];
         for (state, part) in states.iter_mut().zip(out.chunks_exact(count)) {
             state[..count].copy_from_slice(part);
+        }
+        if let Some((strike, h)) = &strike {
+            strike.bend(&mut states, *h);
         }
         let [end, linear, square, cube] = states;
         let rest = out.get(4 * count..).unwrap_or_default();
@@ -70,7 +125,43 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             acceleration,
             error: number(n),
             contact: (!closed.is_empty()).then_some(contact),
+            absorbed: strike.map_or(0.0, |(it, _)| it.absorbed),
         }
+    }
+}
+
+/// Effect of a struck contact over a step on the state.
+struct Strike {
+    /// Entries of the coordinate and of the speed.
+    entries: (u8, u8),
+    /// Changes of both.
+    place: f64,
+    speed: f64,
+    absorbed: f64,
+}
+
+impl Strike {
+    fn changes(&self) -> [(usize, f64); 2] {
+        [(usize::from(self.entries.0), self.place), (usize::from(self.entries.1), self.speed)]
+    }
+
+    fn add_to<const N: usize>(&self, state: &mut [f64; N]) {
+        for (entry, change) in self.changes() {
+            state[entry % N] += change;
+        }
+    }
+
+    /// Adds the changes to a step of `h` (s), its end and the terms of τ, τ² and τ³: a cubic move of
+    /// the coordinate that starts without one of the speed, and its rate.
+    fn bend<const N: usize>(&self, [end, linear, square, cube]: &mut [[f64; N]; 4], h: f64) {
+        self.add_to(end);
+        let (way, rise) = (self.place, h * self.speed);
+        let [place, speed] = self.changes().map(|(entry, _)| entry % N);
+        let (of_square, of_cube) = (3.0 * way - rise, rise - 2.0 * way);
+        square[place] += of_square;
+        cube[place] += of_cube;
+        linear[speed] += 2.0 * of_square / h;
+        square[speed] += 3.0 * of_cube / h;
     }
 }
 
@@ -95,7 +186,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Mechanical<ModeNumber
         x: &[f64; N],
         input: &Motion,
         step: &MechanicalStep,
-    ) -> Option<MechanicalEnd<[f64; N]>> {
+    ) -> Option<MechanicalOutcome<[f64; N]>> {
         self.mechanical_step((mode, ContactSet::OPEN.closed()), x, input, step)
     }
 }
@@ -110,7 +201,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize>
         x: &[f64; N],
         input: &Motion,
         step: &MechanicalStep,
-    ) -> Option<MechanicalEnd<[f64; N]>> {
+    ) -> Option<MechanicalOutcome<[f64; N]>> {
         let ContactMode { structure, contacts } = mode;
         let is_still = contacts.sticking().is_empty() && contacts.sliding().is_empty();
         let step = Some(step).filter(|_| is_still)?;

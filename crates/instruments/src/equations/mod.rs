@@ -14,6 +14,7 @@
 )]
 
 mod about;
+mod apart;
 mod balance;
 mod find_natures;
 pub mod functions;

@@ -441,6 +441,21 @@ pub struct ContactGradientTable {
     /// Computes its contribution to forces, stiffness and damping of the mechanical form, then its
     /// stiffness row.
     pub mechanics: Option<FunctionId>,
+    pub apart: Option<ApartTable>,
+}
+
+/// A struck contact that presses one speed alone, whose mass is coupled to no other: it can be
+/// followed apart from all else.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ApartTable {
+    /// Computes the depth (m), its slope by the speed, and the speed's mass.
+    pub place: FunctionId,
+    /// Computes the force (N), its slope by the depth, and its slope by the depth's rate, from depth
+    /// and rate in `extra`.
+    pub law: FunctionId,
+    /// Number of the speed, and the state's entries of its coordinate and of itself.
+    pub speed: u8,
+    pub entries: (u8, u8),
 }
 
 /// A contact in one mode.

@@ -193,7 +193,12 @@ pub struct Force {
     pub tension: Node,
     /// Energy stored (J); what of the tension is not its slope is dissipated.
     pub energy: Node,
+    /// The tension over [`STRETCH`], where it is built as a law of the stretch and its rate.
+    pub law: Option<Node>,
 }
+
+/// A stretch and its rate as symbols.
+pub(crate) const STRETCH: [Place; 2] = [Place::Extra(u16::MAX), Place::Extra(u16::MAX - 1)];
 
 /// A compliant contact, or a bearing with friction: an automaton of its own.
 #[derive(Clone, PartialEq, Debug)]

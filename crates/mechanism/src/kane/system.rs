@@ -77,9 +77,25 @@ pub struct MechanicalEquations {
     pub values: Vec<Node>,
     /// Element and speed of each stiffness slope.
     pub slopes: Vec<(usize, usize)>,
-    /// What each contact of the mode adds to forces, stiffness and damping while it is closed, then
-    /// its stiffness row.
-    pub contacts: Vec<Option<Vec<Node>>>,
+    pub contacts: Vec<Option<PressedForce>>,
+}
+
+/// Force of a closed contact in a mechanical form.
+#[derive(Clone, Debug)]
+pub struct PressedForce {
+    /// What it adds to forces, stiffness and damping, then its stiffness row.
+    pub added: Vec<Node>,
+    pub apart: Option<ApartForce>,
+}
+
+/// Force on one speed alone, whose mass is coupled to no other.
+#[derive(Clone, Debug)]
+pub struct ApartForce {
+    /// Depth, its slope by the speed, and the speed's mass.
+    pub place: [Node; 3],
+    /// Force and its slopes by depth and rate, which are the first two numbers in `extra`.
+    pub law: [Node; 3],
+    pub speed: usize,
 }
 
 /// Impacts of a family's rigid contacts, without any of them closed.

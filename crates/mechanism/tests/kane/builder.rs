@@ -163,7 +163,7 @@ impl MechanismBuilder {
         self.names.insert("rate".into(), stretch_rate);
         let (tension, energy) = (self.e(tension), self.e(energy));
         let name = name.to_owned();
-        self.it.forces.push(Force { name, stretch, stretch_rate, tension, energy });
+        self.it.forces.push(Force { name, stretch, stretch_rate, tension, energy, law: None });
         self.it.forces.len() - 1
     }
 

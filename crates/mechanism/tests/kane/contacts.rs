@@ -24,7 +24,7 @@ fn with_contact() -> Derived {
     m.names.insert("rate_of_gap".into(), gap_rate);
     let (tension, energy) = (m.e(FORCE), m.e("K*max(0, -gap)^2/2"));
     let (stretch, stretch_rate) = (m.graph().negate(gap), m.graph().negate(gap_rate));
-    let force = Force { name: "tip".into(), stretch, stretch_rate, tension, energy };
+    let force = Force { name: "tip".into(), stretch, stretch_rate, tension, energy, law: None };
     let (slip, stiction, kinetic) = (m.e("slip"), m.e("2"), m.e("1"));
     let (name, kind) = ("floor".into(), SlipKind::Speed);
     let friction = DryFriction { name, slip, stiction, kinetic, scales: (1.0, 1.0), kind };

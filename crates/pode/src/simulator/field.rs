@@ -1,7 +1,7 @@
 //! One mode's equations over one step, with counted evaluations.
 
 use crate::input::Signal;
-use crate::mechanical::{MechanicalEnd, MechanicalStep};
+use crate::mechanical::{MechanicalOutcome, MechanicalStep};
 use crate::model::{Guarded, Model};
 use crate::nature::Nature;
 use crate::outcome::Work;
@@ -129,7 +129,7 @@ impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
         &mut self,
         x: &M::State,
         step: &MechanicalStep,
-    ) -> Option<MechanicalEnd<M::State>> {
+    ) -> Option<MechanicalOutcome<M::State>> {
         let mechanical = self.model.mechanical()?;
         let input = self.input(if step.h > 0.0 { 1.0 } else { 0.0 });
         let end = mechanical.step(self.mode, x, &input, step);

@@ -347,7 +347,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             end,
             inputs,
             middle: None,
-            is_audited_inside: self.stepper.is_audited_inside(),
+            powers: taken.step.powers,
             theta: (run.theta, taken.theta_end),
             tick: self.tick,
             signal: run.signal,

@@ -105,6 +105,7 @@ fn together<S: State, D: Dense<S>>(
 ) -> Step<S, D> {
     Step {
         dense: whole.dense.merged(&step.dense, part),
+        powers: whole.powers,
         error: whole.error.with_entries(&step.error, part),
         is_accepted: whole.is_accepted && step.is_accepted,
     }

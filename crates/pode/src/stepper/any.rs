@@ -1,5 +1,5 @@
 use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
-use crate::mechanical::{MechanicalEnd, MechanicalStep};
+use crate::mechanical::{MechanicalOutcome, MechanicalStep};
 use crate::nature::Nature;
 use crate::part::Part;
 use crate::state::State;
@@ -143,7 +143,7 @@ impl<S: State> Field<S> for Erased<'_, S> {
         self.0.jacobian(tau, x)
     }
 
-    fn mechanical_step(&mut self, x: &S, step: &MechanicalStep) -> Option<MechanicalEnd<S>> {
+    fn mechanical_step(&mut self, x: &S, step: &MechanicalStep) -> Option<MechanicalOutcome<S>> {
         self.0.mechanical_step(x, step)
     }
 }
@@ -284,12 +284,6 @@ macro_rules! any {
             fn aims(&self, nature: &Nature) -> bool {
                 match self {
                     $(Self::$name(stepper) => stepper.aims(nature)),+
-                }
-            }
-
-            fn is_audited_inside(&self) -> bool {
-                match self {
-                    $(Self::$name(stepper) => stepper.is_audited_inside()),+
                 }
             }
 

@@ -140,10 +140,6 @@ impl<T: Stepper> Stepper for Controlled<T> {
         self.method.aims(nature)
     }
 
-    fn is_audited_inside(&self) -> bool {
-        self.method.is_audited_inside()
-    }
-
     #[inline]
     fn is_smooth_inside(&self) -> bool {
         self.method.is_smooth_inside()

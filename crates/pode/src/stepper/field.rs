@@ -1,7 +1,7 @@
 //! The right-hand side over one step, for a method.
 
 use crate::math::sqrt;
-use crate::mechanical::{MechanicalEnd, MechanicalStep};
+use crate::mechanical::{MechanicalOutcome, MechanicalStep};
 use crate::nature::Nature;
 use crate::state::Matrix as _;
 use crate::state::State;
@@ -23,7 +23,7 @@ pub trait Field<S: State> {
     }
 
     /// Takes a step in mechanical form from `x`, the state at the step's start; `None` without one.
-    fn mechanical_step(&mut self, _x: &S, _step: &MechanicalStep) -> Option<MechanicalEnd<S>> {
+    fn mechanical_step(&mut self, _x: &S, _step: &MechanicalStep) -> Option<MechanicalOutcome<S>> {
         None
     }
 }

@@ -54,10 +54,21 @@ use crate::nature::Nature;
 use crate::quadrature::HIGH;
 use crate::state::State;
 
+/// Integral of powers over a step, in an energy audit.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum PowerRule {
+    /// Simpson's rule, which looks into the middle of the step.
+    Simpson,
+    /// The trapezoidal rule: enough for a method of order 2 with even steps, where its errors cancel.
+    /// `absorbed` (J) is the loss in the step that its ends do not show.
+    Trapezoid { absorbed: f64 },
+}
+
 /// A step that was taken.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Step<S, D> {
     pub dense: D,
+    pub powers: PowerRule,
     /// The embedded estimate of the end's error, entry by entry; zero without one.
     pub error: S,
     /// Whether the step is good enough; one that is not is taken again, shorter.
@@ -68,13 +79,13 @@ impl<S: State, D> Step<S, D> {
     /// A step without an error estimate.
     #[inline]
     pub const fn new(dense: D) -> Self {
-        Self { dense, error: S::ZERO, is_accepted: true }
+        Self { dense, powers: PowerRule::Simpson, error: S::ZERO, is_accepted: true }
     }
 
     #[inline]
     pub(crate) fn map<E>(self, form: impl FnOnce(D) -> E) -> Step<S, E> {
-        let Self { dense, error, is_accepted } = self;
-        Step { dense: form(dense), error, is_accepted }
+        let Self { dense, powers, error, is_accepted } = self;
+        Step { dense: form(dense), powers, error, is_accepted }
     }
 
     /// The same with an estimate of the end's error, entry by entry.
@@ -133,13 +144,6 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     #[inline]
     fn is_smooth_inside(&self) -> bool {
         Self::DENSE >= HIGH
-    }
-
-    /// Whether an energy audit looks into the middle of a step. The ends are enough for a method of
-    /// order 2 with even steps, where the errors of the trapezoidal rule cancel.
-    #[inline]
-    fn is_audited_inside(&self) -> bool {
-        true
     }
 
     /// Whether the parts of a mode, in a state with `entries` entries, are stepped apart.

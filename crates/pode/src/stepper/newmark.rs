@@ -1,7 +1,7 @@
 use crate::dense::{Cubic, Dense as _};
-use crate::mechanical::{MAX_SPEEDS, MechanicalStep};
+use crate::mechanical::{MAX_SPEEDS, MechanicalOutcome, MechanicalStep};
 use crate::state::State;
-use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
+use crate::stepper::{Field, Memory, PowerRule, Rk4, Step, Stepper};
 
 /// Order 2, linearly implicit, for modes in mechanical form M u' = Q: one evaluation, one LDLᵀ.
 ///
@@ -20,8 +20,9 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 /// rates in closed form, with the speeds in the middle of the step.
 ///
 /// Steps take 0.5 ms, and 0.25 ms where the correction moves an element's force by more than the
-/// tolerance. A step with eight times as much is repeated once. While a contact is closed that does
-/// not rest, steps are at most 62.5 µs and half a radian of the fastest rate.
+/// tolerance. A step with eight times as much is repeated once. A contact that is struck is followed
+/// apart, in small parts of the step, and ends a step where it opens. While another one is closed
+/// that does not rest, steps are at most 62.5 µs and half a radian of the fastest rate.
 ///
 /// Dense output: h u0, h²/2 a and β h² Δ are the terms of τ, τ² and τ³. A cubic through the rates at
 /// both ends would first move against Δ, since β is not 1/6. The acceleration is void after a reset,
@@ -171,19 +172,22 @@ impl Stepper for Newmark {
             return Rk4.step(field, x0, &mut (), h);
         };
         memory.is_mechanical = true;
+        memory.acceleration = Some(step.acceleration);
+        let refused = Step { is_accepted: false, ..Step::new(Cubic::still(x0)) };
+        let end = match end {
+            MechanicalOutcome::End(end) => end,
+            MechanicalOutcome::Opens { after } => {
+                memory.next = after;
+                return refused;
+            }
+        };
         if let Some(contact) = end.contact {
             memory.touch(h, contact.error / self.tolerance, contact.rate);
         } else if !memory.judge(h, end.error / self.tolerance) {
-            memory.acceleration = Some(step.acceleration);
-            return Step { is_accepted: false, ..Step::new(Cubic::still(x0)) };
+            return refused;
         }
         memory.acceleration = Some(end.acceleration);
-        Step::new(end.dense)
-    }
-
-    #[inline]
-    fn is_audited_inside(&self) -> bool {
-        false
+        Step { powers: PowerRule::Trapezoid { absorbed: end.absorbed }, ..Step::new(end.dense) }
     }
 
     #[inline]
@@ -196,5 +200,8 @@ impl Stepper for Newmark {
 #[cold]
 fn acceleration<S: State>(field: &mut impl Field<S>, x: &S) -> Option<[f64; MAX_SPEEDS]> {
     let still = MechanicalStep { h: 0.0, acceleration: [0.0; MAX_SPEEDS] };
-    Some(field.mechanical_step(x, &still)?.acceleration)
+    match field.mechanical_step(x, &still)? {
+        MechanicalOutcome::End(end) => Some(end.acceleration),
+        MechanicalOutcome::Opens { .. } => None,
+    }
 }

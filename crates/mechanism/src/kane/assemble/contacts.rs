@@ -1,7 +1,7 @@
 //! What contacts and bearings do in one mode.
 
 use instruments::equations::table::{
-    ContactGradientTable, ContactModeTable, ContactTable, FunctionId,
+    ApartTable, ContactGradientTable, ContactModeTable, ContactTable, FunctionId,
 };
 use pode::contacts::{ContactSpec, FrictionSpec, SlipKind};
 
@@ -11,7 +11,9 @@ use super::kinds::is_linear_in_state;
 use super::{AssemblyError, guards, names, switches};
 use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::mechanism::Mechanism;
-use crate::kane::system::{ContactEquations, FrictionEquations};
+use crate::kane::system::{
+    ApartForce, ContactEquations, EntryRole, FrictionEquations, MechanicalEquations,
+};
 
 pub(super) fn specs(mechanism: &Mechanism) -> (Vec<ContactTable>, Vec<ContactSpec>) {
     let one = |contact: &crate::kane::mechanism::MechanismContact| {
@@ -39,13 +41,39 @@ pub(super) fn contacts(
         let name = builder.context.mechanism.contacts.get(contact.contact);
         let name = name.map_or("contact", |contact| contact.name.as_str());
         let mut table = self::contact(graph, functions, builder, (name, contact))?;
-        if let Some(Some(values)) = mechanical.and_then(|it| it.contacts.get(at)) {
+        if let Some((form, Some(pressed))) =
+            mechanical.zip(mechanical.and_then(|it| it.contacts.get(at)))
+        {
             let what = format!("{name}_mechanics");
-            table.gradients.mechanics = Some(builder.add(graph, functions, &what, values)?);
+            table.gradients.mechanics =
+                Some(builder.add(graph, functions, &what, &pressed.added)?);
+            if let Some(force) = &pressed.apart {
+                table.gradients.apart = apart(graph, functions, builder, (name, form, force))?;
+            }
         }
         tables.push(table);
     }
     Ok(tables)
+}
+
+fn apart(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, form, force): (&str, &MechanicalEquations, &ApartForce),
+) -> Result<Option<ApartTable>, AssemblyError> {
+    let entry = |role: EntryRole| {
+        let at = form.roles.iter().position(|it| *it == role)?;
+        u8::try_from(at).ok()
+    };
+    let (place, own) = (EntryRole::Coordinate(force.speed), EntryRole::Speed(force.speed));
+    let (Some(entries), Ok(speed)) = (entry(place).zip(entry(own)), u8::try_from(force.speed))
+    else {
+        return Ok(None);
+    };
+    let place = builder.add(graph, functions, &format!("{name}_place"), &force.place)?;
+    let law = builder.add(graph, functions, &format!("{name}_law"), &force.law)?;
+    Ok(Some(ApartTable { place, law, speed, entries }))
 }
 
 fn contact(

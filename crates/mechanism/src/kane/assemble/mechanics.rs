@@ -11,7 +11,7 @@ use super::functions::FunctionList;
 use crate::expressions::graph::{BinaryFunction, UnaryFunction};
 use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanics::extra;
-use crate::kane::system::{EntryRole, MechanicalEquations};
+use crate::kane::system::{EntryRole, MechanicalEquations, PressedForce};
 
 /// A symmetric matrix by the rows of its lower triangle.
 type Triangle = Vec<Vec<Node>>;
@@ -57,8 +57,8 @@ impl<'a> StepForm<'a> {
         let mut values = Vec::new();
         for (i, value) in form.values.iter().enumerate() {
             let more = i.checked_sub(first);
-            let adds = |it: &Vec<Node>| {
-                more.and_then(|at| it.get(at)).is_some_and(|node| !graph.is_zero(*node))
+            let adds = |it: &PressedForce| {
+                more.and_then(|at| it.added.get(at)).is_some_and(|node| !graph.is_zero(*node))
             };
             let is_fixed = !form.contacts.iter().flatten().any(adds);
             let is_number = is_fixed && graph.number(*value).is_some();

@@ -5,7 +5,7 @@ use super::linear::is_linear_in_speeds;
 use super::names::{LawPlace, distance, number};
 use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
 use crate::kane::graph::{BinaryFunction, Graph, Node, Place, Substitution};
-use crate::kane::mechanism::{DryFriction, Force, MechanismContact, SlipKind};
+use crate::kane::mechanism::{DryFriction, Force, MechanismContact, STRETCH, SlipKind};
 use crate::kane::text::{Dimension, Measured};
 
 #[derive(Clone, Copy, Debug)]
@@ -90,6 +90,7 @@ impl MechanismReader {
             stretch_rate: rate.node,
             tension: graph.add(elastic, viscous),
             energy: graph.scale(square, 0.5),
+            law: None,
         };
         Some((force, tension))
     }
@@ -135,6 +136,7 @@ impl MechanismReader {
             stretch_rate: rate.node,
             tension: force.node,
             energy,
+            law: None,
         };
         Some((force, tension))
     }
@@ -245,26 +247,37 @@ impl MechanismReader {
     }
 }
 
+impl FeltParts {
+    fn pressed(graph: &mut Graph, depth: Node) -> Node {
+        let zero = graph.constant(0.0);
+        graph.binary(BinaryFunction::Max, depth, zero)
+    }
+
+    fn tension(&self, graph: &mut Graph, [depth, rate]: [Node; 2]) -> Node {
+        let pressed = Self::pressed(graph, depth);
+        let power = graph.binary(BinaryFunction::Power, pressed, self.exponent);
+        let elastic = graph.multiply(self.stiffness, power);
+        let Some(damping) = self.damping else { return elastic };
+        let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+        let loss = graph.multiply(damping, rate);
+        let factor = graph.add(one, loss);
+        let factor = graph.binary(BinaryFunction::Max, factor, zero);
+        graph.multiply(elastic, factor)
+    }
+}
+
 fn felt_force(graph: &mut Graph, name: &str, parts: &FeltParts) -> Force {
-    let FeltParts { depth, rate, stiffness, exponent, damping } = *parts;
-    let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-    let pressed = graph.binary(BinaryFunction::Max, depth.node, zero);
-    let power = graph.binary(BinaryFunction::Power, pressed, exponent);
-    let elastic = graph.multiply(stiffness, power);
-    let tension = match damping {
-        None => elastic,
-        Some(damping) => {
-            let loss = graph.multiply(damping, rate.node);
-            let factor = graph.add(one, loss);
-            let factor = graph.binary(BinaryFunction::Max, factor, zero);
-            graph.multiply(elastic, factor)
-        }
-    };
+    let FeltParts { depth, rate, stiffness, exponent, .. } = *parts;
+    let tension = parts.tension(graph, [depth.node, rate.node]);
+    let symbols = STRETCH.map(|place| graph.symbol(place));
+    let law = Some(parts.tension(graph, symbols));
+    let pressed = FeltParts::pressed(graph, depth.node);
+    let one = graph.constant(1.0);
     let above = graph.add(exponent, one);
     let higher = graph.binary(BinaryFunction::Power, pressed, above);
     let energy = graph.product(&[(stiffness, 1), (higher, 1), (above, -1)]);
     let (stretch, stretch_rate) = (depth.node, rate.node);
-    Force { name: name.to_owned(), stretch, stretch_rate, tension, energy }
+    Force { name: name.to_owned(), stretch, stretch_rate, tension, energy, law }
 }
 
 pub(super) const fn law_keys(kind: LawKind) -> &'static [&'static str] {

@@ -7,8 +7,8 @@ use super::equations::ModeScope;
 use super::explicit::ExplicitForms;
 use super::kinematics::number;
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
-use crate::kane::mechanism::Force;
-use crate::kane::system::{EntryRole, MechanicalEquations};
+use crate::kane::mechanism::{Force, STRETCH};
+use crate::kane::system::{ApartForce, EntryRole, MechanicalEquations, PressedForce};
 
 /// Lower triangles of stiffness and damping, with the stiffness rows.
 struct ElementSums {
@@ -173,23 +173,63 @@ impl ModeScope<'_> {
         ends
     }
 
-    /// Returns what each closed contact adds to forces, stiffness and damping, then its stiffness row.
     fn pressed(
         &self,
         graph: &mut Graph,
         forms: &mut ExplicitForms,
         (speeds, places): (&[Place], &[Option<Place>]),
         ends: &mut Substitution,
-    ) -> Vec<Option<Vec<Node>>> {
+    ) -> Vec<Option<PressedForce>> {
         let mut all = Vec::new();
         for contact in self.mode().contacts.iter().map(|c| &self.mechanism.contacts[*c]) {
             let pressing = contact.force.as_ref().filter(|_| contact.friction.is_none());
             all.push(pressing.map(|force| {
                 let slopes = slopes(graph, forms, force, (speeds, places));
-                slopes.added(graph, speeds.len()).iter().map(|it| ends.of(graph, *it)).collect()
+                let added = slopes.added(graph, speeds.len());
+                let added = added.iter().map(|it| ends.of(graph, *it)).collect();
+                // A contact without a sound may rest.
+                let is_struck = contact.sounds.is_some();
+                let struck = Some(force).filter(|_| is_struck);
+                let apart =
+                    struck.and_then(|it| self.apart(graph, forms, (it, &slopes), (speeds, places)));
+                PressedForce { added, apart }
             }));
         }
         all
+    }
+
+    /// Returns a force as one on a single speed; `None` if it presses several, or one whose mass is
+    /// coupled to others.
+    fn apart(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        (force, slopes): (&Force, &ElementSlopes),
+        (speeds, places): (&[Place], &[Option<Place>]),
+    ) -> Option<ApartForce> {
+        let mut pressed = (0..speeds.len()).filter(|k| !graph.is_zero(slopes.row[*k]));
+        let (Some(speed), None) = (pressed.next(), pressed.next()) else { return None };
+        places[speed]?;
+        let mass = &self.motion().mass;
+        let mut others = (0..speeds.len()).filter(|k| *k != speed);
+        let is_alone = others.all(|k| {
+            let entry = forms.finished(graph, mass[k.max(speed)][k.min(speed)]);
+            graph.is_zero(entry)
+        });
+        let depth = forms.finished(graph, force.stretch);
+        let is_driven = |place| matches!(place, Place::Input(_));
+        if !is_alone || graph.depends(depth, is_driven) || graph.depends(force.tension, is_driven) {
+            return None;
+        }
+        let law = along_law(graph, force, (speeds, places))?;
+        let mass = forms.finished(graph, mass[speed][speed]);
+        let mut moved =
+            Substitution::new(STRETCH.into_iter().zip([0, 1].map(|at| graph.symbol(extra(at)))));
+        Some(ApartForce {
+            place: [depth, slopes.row[speed], mass],
+            law: law.map(|it| moved.of(graph, it)),
+            speed,
+        })
     }
 }
 
@@ -242,18 +282,35 @@ fn slopes(
 fn along_stretch(
     graph: &mut Graph,
     force: &Force,
-    (speeds, places): (&[Place], &[Option<Place>]),
+    motion: (&[Place], &[Option<Place>]),
 ) -> Option<[Node; 2]> {
-    let own =
-        [(force.stretch, Place::Extra(u16::MAX)), (force.stretch_rate, Place::Extra(u16::MAX - 1))];
-    let own = own.map(|(node, place)| (node, place, graph.symbol(place)));
+    let [_, slopes @ ..] = along_law(graph, force, motion)?;
+    let own = [force.stretch, force.stretch_rate];
+    let mut back = Substitution::new(STRETCH.into_iter().zip(own));
+    Some(slopes.map(|it| back.of(graph, it)))
+}
+
+/// Returns a tension with its stretch and the stretch's rate replaced by [`STRETCH`], as far as they
+/// are found in it.
+fn over_stretch(graph: &mut Graph, force: &Force) -> Node {
     let mut by_stretch = Substitution::new([]);
-    for (node, _, symbol) in own {
+    for (node, place) in [force.stretch, force.stretch_rate].into_iter().zip(STRETCH) {
+        let symbol = graph.symbol(place);
         if graph.number(node).is_none() {
             by_stretch.set_within_sums(graph, node, symbol);
         }
     }
-    let tension = by_stretch.of(graph, force.tension);
+    by_stretch.of(graph, force.tension)
+}
+
+/// Returns a tension over [`STRETCH`], and its slopes by both; `None` if it depends on the motion in
+/// another way.
+fn along_law(
+    graph: &mut Graph,
+    force: &Force,
+    (speeds, places): (&[Place], &[Option<Place>]),
+) -> Option<[Node; 3]> {
+    let tension = force.law.unwrap_or_else(|| over_stretch(graph, force));
     let moves = |place: Place| {
         matches!(place, Place::Speed(_) | Place::Acceleration(_))
             || speeds.contains(&place)
@@ -262,11 +319,8 @@ fn along_stretch(
     if graph.depends(tension, moves) {
         return None;
     }
-    let mut back = Substitution::new(own.iter().map(|(node, place, _)| (*place, *node)));
-    Some(own.map(|(_, place, _)| {
-        let slope = graph.partial(tension, place);
-        back.of(graph, slope)
-    }))
+    let [by_depth, by_rate] = STRETCH.map(|place| graph.partial(tension, place));
+    Some([tension, by_depth, by_rate])
 }
 
 /// Adds the products of row and slopes to the lower triangles.
