@@ -11,6 +11,8 @@
 //! | event | all 88 hammers are in free flight and meet their strings within this one tick |
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
 
+#[path = "setting/keys.rs"]
+mod keys;
 #[path = "setting/mod.rs"]
 mod setting;
 #[path = "../tests/stage/mod.rs"]
@@ -18,28 +20,18 @@ mod stage;
 
 use std::sync::Arc;
 
-use boards::sim::key::SimulatedKey;
 use criterion::{BatchSize, Criterion};
 use engine::realtime::wake_fd::WakeFd;
-use engine::voice::RehearsableVoice;
-use engine::voice::VoiceBuilder;
 use haptics::RigParameters;
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
-use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::observation::{FollowedKeys, VoiceObservation};
-use scheduler::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
-use scheduler::slot::Slot;
-use scheduler::tick::Scheduler;
-use scheduler::time::{Nanos, Period, Timetable};
-use scheduler::voice::{Voice, VoiceOutput};
+use keys::{Copies, Held, Tables, just_before_a_strike, scheduler_at};
+use scheduler::motion::KEYS;
+use scheduler::port::{FinishedTick, TickObserver};
 use setting::{TICKS, swing};
-use stage::{Stage, scene, stroke};
+use stage::{Stage, scene};
 
 const HZ: u32 = 1000;
-
-/// Default slew limit of a scene (N/s).
-const SLEW: f64 = 20e3;
 
 fn main() {
     let mut criterion = setting::criterion();
@@ -48,37 +40,6 @@ fn main() {
     event(&mut criterion, "default", "tick_88_voices/event");
     springs(&mut criterion);
     criterion.final_summary();
-}
-
-struct Tables {
-    positions: Vec<[f64; TICKS]>,
-    next: usize,
-}
-
-impl KeyBus for Tables {
-    fn receive(&mut self, _tick: u64, samples: &mut [KeySample; KEYS]) {
-        for (sample, table) in samples.iter_mut().zip(&self.positions) {
-            *sample = KeySample::fresh(table[self.next]);
-        }
-        self.next = (self.next + 1) % TICKS;
-    }
-
-    fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        std::hint::black_box((forces, slopes));
-    }
-}
-
-/// Keys that are all held at one position (m).
-struct Held(f64);
-
-impl KeyBus for Held {
-    fn receive(&mut self, _tick: u64, samples: &mut [KeySample; KEYS]) {
-        *samples = [KeySample::fresh(self.0); KEYS];
-    }
-
-    fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        std::hint::black_box((forces, slopes));
-    }
 }
 
 struct Published {
@@ -178,35 +139,14 @@ fn springs(criterion: &mut Criterion) {
     event(criterion, "springs", "tick_88_voices/springs/event");
 }
 
-struct Copied(Box<dyn RehearsableVoice>);
-
-impl Clone for Copied {
-    fn clone(&self) -> Self {
-        Self(self.0.copy())
-    }
-}
-
-impl Voice for Copied {
-    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        self.0.tick(tick, sample, turn);
-    }
-
-    fn observe(&self, seen: &mut VoiceObservation) {
-        self.0.observe(seen);
-    }
-
-    fn reset(&mut self, sample: &KeySample) {
-        self.0.reset(sample);
-    }
-}
-
 fn event(criterion: &mut Criterion, of: &str, name: &str) {
-    let (slot, tick, position) = just_before_a_strike(of);
+    let scene = scene(of, &[]);
+    let (slot, tick, position) = just_before_a_strike(&scene);
     let slots: Vec<_> = (0..KEYS).map(|_| slot.clone()).collect();
     let (mut bus, mut published) = (Held(position), Published::new(ALL_KEYS));
     criterion.bench_function(name, |bencher| {
         bencher.iter_batched_ref(
-            || (scheduler_at(tick), Copies(slots.clone())),
+            || (scheduler_at(tick, HZ), Copies(slots.clone())),
             |(scheduler, lanes)| {
                 let due = scheduler.next_due();
                 let report = scheduler.poll(due, &mut bus, lanes, &mut published);
@@ -217,44 +157,4 @@ fn event(criterion: &mut Criterion, of: &str, name: &str) {
             BatchSize::PerIteration,
         );
     });
-}
-
-struct Copies(Vec<Slot<Copied>>);
-
-impl Lanes for Copies {
-    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
-        let keys = output.turns.iter_mut().zip(output.observed.iter_mut());
-        for ((slot, sample), (turn, seen)) in self.0.iter_mut().zip(input.samples).zip(keys) {
-            slot.tick(input.tick, sample, turn);
-            slot.observe(input.followed, turn, seen);
-        }
-    }
-}
-
-fn scheduler_at(tick: u64) -> Box<Scheduler> {
-    let period = Period::from_hz(HZ).expect("a rate that can be kept");
-    let mut scheduler = engine::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), SLEW);
-    let (due, mut nothing) = (scheduler.timetable().due(tick - 1), Copies(Vec::new()));
-    scheduler.poll(due, &mut Held(0.0), &mut nothing, &mut stage::Nobody);
-    scheduler
-}
-
-fn just_before_a_strike(of: &str) -> (Slot<Copied>, u64, f64) {
-    let scene = scene(of, &[]);
-    let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
-    let described = scene.keys[39].as_ref().expect("a voice");
-    let voice = assembler.voice(described, Arc::default()).expect("a model of ours");
-    let mut slot = Slot::new(39, Copied(voice));
-    let mut key = SimulatedKey::new(1e-3, RigParameters::default()).expect("a period");
-    key.play(vec![stroke(0.1, 0.3, haptics::Touch::Pressed, 0.5)]);
-    let mut turn = VoiceOutput::default();
-    for tick in 0..1000 {
-        let (sample, before) = (key.receive(tick), slot.clone());
-        slot.tick(tick, &sample, &mut turn);
-        key.send(turn.force, &turn.slope);
-        if 0 < turn.events.strikes() {
-            return (before, tick, sample.position);
-        }
-    }
-    unreachable!("no stroke of 0.5 m/s is silent")
 }

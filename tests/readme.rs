@@ -305,7 +305,7 @@ fn the_figures_of_the_first_page_are_those_of_pode() {
     let (figures, _) = figures.split_once("<!-- figures: end").expect("their end");
     let rows = figures.lines().filter(|line| line.starts_with('|')).skip(2);
     let figures: Vec<_> = rows.filter_map(|row| row.rsplit('|').nth(1)).map(str::trim).collect();
-    assert_eq!(figures.len(), 4);
+    assert_eq!(figures.len(), 2);
     for figure in figures {
         assert!(text("crates/pode").contains(figure), "crates/pode/README.md lacks {figure}");
     }

@@ -153,7 +153,7 @@ fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
     let of_key = parameters.split(' ').map(|it| format!("keys.0.parameters.{it}"));
     let of_key: Vec<_> = of_key.collect();
     let mut set: Vec<_> = of_key.iter().filter_map(|it| it.split_once('=')).collect();
-    set.extend([("keys.0.range", "C4..C4"), SILENT]);
+    set.extend([("keys.0.range", "C4..C4"), ("render.stepper", "rk4"), SILENT]);
     let scene = scene("default", &set);
     record(&scene, RunOptions { duration: Some(0.5), virtual_time: false }, &file);
     let limits = messages(&file).into_iter().filter_map(|message| match message {

@@ -49,8 +49,11 @@ pub struct PressedContact {
 
 /// A model with modes in mechanical form.
 pub trait Mechanical<M, S, I> {
-    /// Takes a step from `x`, with the input at the step's end; `None` without a mechanical form, or
-    /// where another method suits the mode better.
+    /// Whether `mode` has a mechanical form, and is not so slow that another method suits it better.
+    fn suits(&self, mode: M) -> bool;
+
+    /// Takes a step from `x`, with the input at the step's end; `None` in a mode that it does not
+    /// suit.
     ///
     /// # Real-time
     /// Bounded: three functions of the mode, and one of each closed contact.

@@ -180,6 +180,10 @@ impl MechanicsTable {
 impl<F: Equations + Clone, const N: usize, const C: usize> Mechanical<ModeNumber, [f64; N], Motion>
     for EquationModel<F, N, C>
 {
+    fn suits(&self, mode: ModeNumber) -> bool {
+        self.mechanics(mode).is_some()
+    }
+
     fn step(
         &self,
         mode: ModeNumber,
@@ -194,6 +198,10 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Mechanical<ModeNumber
 impl<F: Equations + Clone, const N: usize, const C: usize>
     Mechanical<ContactMode<ModeNumber>, [f64; N], Motion> for EquationModel<F, N, C>
 {
+    fn suits(&self, mode: ContactMode<ModeNumber>) -> bool {
+        self.mechanics(mode.structure).is_some()
+    }
+
     /// Returns `None` also where a friction sticks or slides, or a closed contact has no slopes.
     fn step(
         &self,

@@ -125,9 +125,14 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         match self.model.parts(self.mode) {
             [] => None,
             [only] => Some(*only),
-            _ if self.stepper.steps_apart(length) => None,
+            _ if self.stepper.steps_apart(length) && !self.is_mechanical() => None,
             several => Some(Part::union(several, length)),
         }
+    }
+
+    fn is_mechanical(&self) -> bool {
+        let form = self.model.mechanical().filter(|_| self.stepper.is_mechanical());
+        form.is_some_and(|it| it.suits(self.mode))
     }
 
     /// Steps all parts from `x0`, counts their evaluations, and also returns the input at the end.

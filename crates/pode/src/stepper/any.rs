@@ -281,6 +281,12 @@ macro_rules! any {
                 }
             }
 
+            fn is_mechanical(&self) -> bool {
+                match self {
+                    $(Self::$name(stepper) => stepper.is_mechanical()),+
+                }
+            }
+
             fn aims(&self, nature: &Nature) -> bool {
                 match self {
                     $(Self::$name(stepper) => stepper.aims(nature)),+

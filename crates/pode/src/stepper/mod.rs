@@ -158,6 +158,12 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
         entries > SMALL
     }
 
+    /// Whether modes in mechanical form are stepped in it, with all their parts together.
+    #[inline]
+    fn is_mechanical(&self) -> bool {
+        false
+    }
+
     /// Longest step (s) in a mode of this `nature`, where the model itself asks for `own`.
     #[inline]
     fn longest_step(&self, _nature: &Nature, own: f64) -> f64 {

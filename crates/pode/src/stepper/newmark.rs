@@ -191,8 +191,8 @@ impl Stepper for Newmark {
     }
 
     #[inline]
-    fn steps_apart(&self, _entries: usize) -> bool {
-        false
+    fn is_mechanical(&self) -> bool {
+        true
     }
 }
 

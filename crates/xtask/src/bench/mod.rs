@@ -6,6 +6,7 @@
 
 mod baseline;
 mod sample;
+mod scenes;
 
 use std::{collections::BTreeMap, fs, path::Path, process::Stdio};
 
@@ -40,15 +41,15 @@ pub(crate) fn measure(usage: BaselineUse) -> Result<(), Error> {
         BaselineUse::Compare => Some(BenchBaseline::read(&path)?),
         BaselineUse::Write => None,
     };
-    let benches = PROGRAMS.iter().flat_map(|name| ["--bench", name]);
+    let benches = PROGRAMS.iter().chain([&scenes::PROGRAM]).flat_map(|name| ["--bench", name]);
     run(&mut cargo(["bench", "--workspace", "--no-run"].into_iter().chain(benches)))?;
     let now = BenchBaseline { machine: machine(), ranges: ranges()? };
     let Some(before) = before else {
         fs::write(&path, now.to_string()).map_err(|cause| Error::file(&path, cause))?;
         println!("{} benches are kept in {BASELINE}", now.ranges.len());
-        return Ok(());
+        return scenes::write(&scenes::measure()?, &now.machine);
     };
-    print!("{}", before.table(&now));
+    print!("{}{}", before.table(&now), scenes::measure()?);
     let slower = before.slower(&now);
     if slower.is_empty() { peers::compare_counts() } else { Err(Error::Slower(slower)) }
 }
