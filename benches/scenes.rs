@@ -19,6 +19,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use engine::voice::VoiceBuilder;
+use figures::tick_cost::loud_stroke;
 use haptics::RigParameters;
 use keys::{Copies, Held, Tables, just_before_a_strike, scheduler_at};
 use scene::Scene;
@@ -105,21 +106,16 @@ fn error(own: &Scene, fine: &Scene) -> f64 {
     (squares / own.len() as f64).sqrt()
 }
 
-/// Returns the forces (N) of a key that is pressed in 43 ms, held, and released.
+/// Returns the forces (N) of a key in a loud stroke.
 fn forces(scene: &Scene) -> Vec<f64> {
     let builder = VoiceBuilder::new(scene).expect("a scene of ours");
     let key = scene.keys[39].as_ref().expect("a voice");
     let mut voice = builder.voice(key, Arc::default()).expect("a model of ours");
     voice.reset(&KeySample::fresh(0.0));
-    let path = |part: f64| {
-        let z = part.clamp(0.0, 1.0);
-        z.powi(3) * (10.0 + z * (6.0 * z - 15.0))
-    };
     let tick = |tick: u32| {
         let t = f64::from(tick) / f64::from(scene.tick_hz);
-        let position = 11.5e-3 * (path((t - 0.02) / 0.043_125) - path((t - 0.3) / 0.08));
         let mut turn = VoiceOutput::default();
-        voice.tick(u64::from(tick), &KeySample::fresh(position), &mut turn);
+        voice.tick(u64::from(tick), &KeySample::fresh(loud_stroke(t)), &mut turn);
         assert!(turn.fault.is_none(), "{:?}", turn.fault);
         turn.force
     };

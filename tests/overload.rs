@@ -105,8 +105,8 @@ fn what_is_left_out_saves_work_and_every_note_sounds_in_time() {
             0.0,
             0.0,
         ),
-        (&[Simplification::Rest], 0.005, 0.02),
-        (&[Simplification::Steps], 0.3, 0.15),
+        (&[Simplification::Rest], 0.005, 0.03),
+        (&[Simplification::Steps], 0.3, 0.2),
     ] {
         let simplified = all(simplified);
         let less = played(&scene, |_| simplified);
@@ -206,7 +206,8 @@ fn a_failing_voice_gets_a_tenth_of_its_lane_and_its_neighbours_notice_nothing() 
     /// Cost of a unit on a usual processor (ns), and units in a lane's time of a tick.
     const UNIT: f64 = 500.0;
     const LANE: u32 = 1800;
-    let scene = scene("default", &[]);
+    // RK4 takes as many steps as the values ask for.
+    let scene = scene("default", &[("render.stepper", "rk4")]);
     let whole = turns(&scene, UNIT, "");
     let healthy = whole.0.iter().flatten();
     assert!(healthy.clone().all(|(.., fault)| fault.is_none()), "a voice of ours was cut off");

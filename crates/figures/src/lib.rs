@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`action`] | touch, timing, check, repetition and energy of an action that a position drives |
 //! | [`rehearsal`] | one key of a scene in virtual time, with the samples and forces of its run |
+//! | [`tick_cost`] | time that a key's ticks take on this machine |
 //! | [`stability`] | whether keys are stable under every finger, their gain margin, what would help |
 //! | [`weight`] | weights of a finger: what moves a key, and what sounds at a velocity |
 //! | [`plot`] | pictures of figures, as SVG |
@@ -17,4 +18,5 @@ pub mod parallel;
 pub mod plot;
 pub mod rehearsal;
 pub mod stability;
+pub mod tick_cost;
 pub mod weight;

@@ -56,7 +56,8 @@ pub trait Mechanical<M, S, I> {
     /// suit.
     ///
     /// # Real-time
-    /// Bounded: three functions of the mode, and one of each closed contact.
+    /// Bounded: three functions of the mode, and one of each closed contact; of one that is followed
+    /// apart, its law at most 512 times.
     fn step(
         &self,
         mode: M,

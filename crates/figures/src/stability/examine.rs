@@ -6,6 +6,7 @@ use scene::{KeyVoice, Scene};
 use super::remedy::{Remedy, nearest};
 use super::trial::{UnstableTrial, first_unstable};
 use crate::rehearsal::RehearsalError;
+use crate::tick_cost::{TickCost, tick_cost};
 use crate::weight::{TouchWeights, WeightError, touch_weights};
 
 /// Tried keys of a range: instruments are graded evenly over the compass.
@@ -25,6 +26,8 @@ pub struct RangeStability {
     pub gain_margin: Option<f64>,
     /// Weights of the key in the middle of the range; `None` if not measured.
     pub weights: Option<TouchWeights>,
+    /// Time of its ticks on this machine; `None` if not measured.
+    pub cost: Option<TickCost>,
 }
 
 /// An unstable key with its remedy.
@@ -77,10 +80,10 @@ impl fmt::Display for RangeStability {
         if let Some(margin) = self.gain_margin {
             write!(f, ", up to {margin} times its force")?;
         }
-        match self.weights {
-            Some(weights) => write!(f, "; the finger feels {weights}"),
-            None => Ok(()),
+        if let Some(weights) = self.weights {
+            write!(f, "; the finger feels {weights}")?;
         }
+        self.cost.map_or(Ok(()), |cost| write!(f, "; {cost}"))
     }
 }
 
@@ -111,7 +114,7 @@ pub fn examine_keys(scene: &Scene, keys: KeyRange) -> Result<RangeStability, Reh
             remedy: nearest(scene, &voices, key)?,
         }),
     };
-    Ok(RangeStability { keys, model, unstable, gain_margin: None, weights: None })
+    Ok(RangeStability { keys, model, unstable, gain_margin: None, weights: None, cost: None })
 }
 
 impl RangeStability {
@@ -134,6 +137,7 @@ impl RangeStability {
         }
         self.gain_margin = Some(margin);
         self.weights = touch_weights(scene, key)?;
+        self.cost = tick_cost(scene, voice).ok();
         Ok(self)
     }
 }

@@ -6,8 +6,7 @@ use pode::math;
 const PART: f64 = 6.25e-5;
 const RADIANS: f64 = 0.4;
 
-/// Doublings of the number of parts: up to 4 µs.
-const DOUBLINGS: u32 = 4;
+const MOST_PARTS: f64 = 128.0;
 
 /// Time (s) by which a step may end behind the opening of the contact.
 const MARGIN: f64 = 1e-6;
@@ -34,7 +33,7 @@ pub(crate) struct Pulse {
     pub(crate) absorbed: f64,
 }
 
-struct Followed {
+struct PulseEnd {
     depth: f64,
     rate: f64,
     lost: f64,
@@ -57,13 +56,10 @@ impl StruckContact {
         // The rate to come: of the depth in the middle of the step.
         let [_, stiffness, _] = law((self.depth + 0.5 * h * self.rate).max(0.0), self.rate);
         let radians = h * math::sqrt(self.mobility * stiffness.max(0.0));
-        let mut parts = math::ceil((h / PART).max(radians / RADIANS));
+        let mut parts = math::ceil((h / PART).max(radians / RADIANS)).min(MOST_PARTS);
         let mut end = self.follow(h / parts, h, law);
-        for _ in 0..DOUBLINGS {
-            if math::sqrt(end.fastest) * h <= RADIANS * parts {
-                break;
-            }
-            parts *= 2.0;
+        while math::sqrt(end.fastest) * h > RADIANS * parts && parts < MOST_PARTS {
+            parts = (2.0 * parts).min(MOST_PARTS);
             end = self.follow(h / parts, h, law);
         }
         if let Some(after) = end.opens.filter(|after| *after < h - MARGIN) {
@@ -78,9 +74,9 @@ impl StruckContact {
         })
     }
 
-    fn follow(&self, part: f64, h: f64, law: impl Fn(f64, f64) -> [f64; 3] + Copy) -> Followed {
+    fn follow(&self, part: f64, h: f64, law: impl Fn(f64, f64) -> [f64; 3] + Copy) -> PulseEnd {
         let mut it =
-            Followed { depth: self.depth, rate: self.rate, lost: 0.0, fastest: 0.0, opens: None };
+            PulseEnd { depth: self.depth, rate: self.rate, lost: 0.0, fastest: 0.0, opens: None };
         let mut passed = 0.0;
         while passed < h - 0.5 * part {
             let middle = (it.depth + 0.5 * part * it.rate).max(0.0);

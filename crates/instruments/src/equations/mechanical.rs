@@ -1,9 +1,9 @@
 //! Steps in the mechanical form of a table's modes.
 
-use pode::contacts::{ContactIndices, ContactMode, ContactSet};
+use pode::contacts::{ContactIndices, ContactMode, ContactSet, ContactSystem};
 use pode::{
-    Cubic, MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalOutcome, MechanicalStep, Motion,
-    PressedContact,
+    Cubic, Dense as _, MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalOutcome, MechanicalStep,
+    Motion, PressedContact,
 };
 
 use crate::equations::apart::{Pulse, StruckContact};
@@ -34,13 +34,15 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     ) -> Option<MechanicalOutcome<[f64; N]>> {
         let mechanics = self.mechanics(mode)?;
         let apart = self.apart_contact(mode, closed);
-        let strike = match apart.filter(|_| step.h > 0.0).map(|it| self.strike(&it, x, input, step))
-        {
-            Some(Err(after)) => return Some(MechanicalOutcome::Opens { after }),
-            Some(Ok(strike)) => Some(strike),
-            None => None,
-        };
         let pressed = if apart.is_some() { ContactSet::OPEN.closed() } else { closed };
+        if step.h == 0.0 {
+            return Some(MechanicalOutcome::End(self.still(mechanics, (mode, pressed), x, input)));
+        }
+        let strike = apart.map(|it| self.strike(&it, x, input, step)).transpose();
+        let strike = match strike {
+            Err(after) => return Some(MechanicalOutcome::Opens { after }),
+            Ok(strike) => strike,
+        };
         let input = rates_of(input);
         let mut extra = [0.0; Layout::COUNT];
         extra[Layout::STEP] = step.h;
@@ -65,6 +67,26 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Some(MechanicalOutcome::End(end))
     }
 
+    /// Returns the accelerations at `x`, as of a step without length.
+    fn still(
+        &self,
+        mechanics: &MechanicsTable,
+        (mode, pressed): (ModeNumber, ContactIndices),
+        x: &[f64; N],
+        input: &Motion,
+    ) -> MechanicalEnd<[f64; N]> {
+        let rates = ContactSystem::derivative(self, mode, pressed, x, input);
+        let of_speed = |k: usize| rates[usize::from(mechanics.speed_entries[k]) % N];
+        let n = mechanics.speeds;
+        MechanicalEnd {
+            dense: Cubic::still(x),
+            acceleration: core::array::from_fn(|k| if k < n { of_speed(k) } else { 0.0 }),
+            error: 0.0,
+            contact: None,
+            absorbed: 0.0,
+        }
+    }
+
     /// Returns the only closed contact, if it can be followed apart.
     fn apart_contact(&self, mode: ModeNumber, closed: ContactIndices) -> Option<ApartTable> {
         let mut all = closed.into_iter();
@@ -79,7 +101,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         x: &[f64; N],
         input: &Motion,
         step: &MechanicalStep,
-    ) -> Result<Strike, f64> {
+    ) -> Result<StatePulse, f64> {
         let rates = rates_of(input);
         let mut place = [0.0; 3];
         self.call_with(apart.place, (x, &rates), &[], &mut place);
@@ -97,14 +119,19 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             mobility: slope * slope / mass,
         };
         let Pulse { depth, rate, absorbed } = contact.pulse(step.h, law)?;
-        Ok(Strike { entries: apart.entries, place: depth / slope, speed: rate / slope, absorbed })
+        Ok(StatePulse {
+            entries: apart.entries,
+            place: depth / slope,
+            speed: rate / slope,
+            absorbed,
+        })
     }
 
     fn mechanical_end(
         &self,
         mechanics: &MechanicsTable,
         (x, out): (&[f64; N], &[f64]),
-        (closed, strike): (ContactIndices, Option<(Strike, f64)>),
+        (closed, strike): (ContactIndices, Option<(StatePulse, f64)>),
     ) -> MechanicalEnd<[f64; N]> {
         let count = self.table().states.len();
         let mut states = [[0.0; N]; 4];
@@ -131,7 +158,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
 }
 
 /// Effect of a struck contact over a step on the state.
-struct Strike {
+struct StatePulse {
     /// Entries of the coordinate and of the speed.
     entries: (u8, u8),
     /// Changes of both.
@@ -140,7 +167,7 @@ struct Strike {
     absorbed: f64,
 }
 
-impl Strike {
+impl StatePulse {
     fn changes(&self) -> [(usize, f64); 2] {
         [(usize::from(self.entries.0), self.place), (usize::from(self.entries.1), self.speed)]
     }

@@ -310,6 +310,8 @@ pub struct MechanicsTable {
     pub correction: FunctionId,
     pub speeds: usize,
     pub internal: usize,
+    /// The state's entry of each speed.
+    pub speed_entries: [u8; MAX_SPEEDS],
 }
 
 /// Layout of a mechanical step's numbers in `extra`.

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use pode::stepper::{
-    Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Newmark, Rk4, Rodas3, Tsitouras5,
+    Any, ByNeed, Dop853, Exact, LinearImplicitMidpoint, Newmark, Rodas3, Tsitouras5,
 };
 use pode::{Limits, Stepper as _};
 
@@ -75,17 +75,17 @@ const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 /// Longest tick of methods with a budget, that of a keyboard (s).
 const LONGEST_BUDGETED: f64 = 1e-3;
 
-/// Every compared method by group, and RK4 as instruments use it.
+/// Every compared method by group, and the default of instruments with its own steps.
 pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
     let all = Any::NAMES.iter().filter_map(|name| Any::named(name)).map(NamedMethod::of);
     let mut methods: Vec<_> = all.collect();
     methods.sort_by_key(|method| method.group);
     methods.push(NamedMethod {
         name: "as-played",
-        order: Rk4::ORDER,
+        order: Newmark::ORDER,
         kind: MethodKind::Played,
         group: MethodGroup::Played,
-        stepper: Any::Rk4(Rk4),
+        stepper: Any::Newmark(Newmark::default()),
     });
     methods
 });

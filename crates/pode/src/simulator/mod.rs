@@ -175,6 +175,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if self.last_input == Some(*input) {
             return;
         }
+        self.memory.iter_mut().for_each(PartMemory::jump);
         let Some(state) = self.constrained(self.mode, &self.state, input) else {
             return run.fail(Fault::State);
         };

@@ -61,6 +61,10 @@ impl<M: Memory, D> PartMemory<M, D> {
         self.method.begin_tick();
     }
 
+    pub(super) fn jump(&mut self) {
+        self.method.jump();
+    }
+
     fn refuse(&mut self) {
         self.method.refuse();
         self.ahead = None;
@@ -73,8 +77,8 @@ impl<M: Memory, D> PartMemory<M, D> {
 
     /// Returns the longest step (s) worth trying next.
     #[inline]
-    pub(super) fn reach(&self) -> f64 {
-        self.method.reach()
+    pub(super) fn reach(&self, stretch: f64) -> f64 {
+        self.method.reach(stretch)
     }
 }
 
@@ -194,7 +198,7 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
             memory.restart();
         }
         let length = part.own_step(self.h, self.rest, self.longest);
-        if length > self.h && memory.reach().is_infinite() && !memory.is_uncut {
+        if length > self.h && memory.reach(1.0).is_infinite() && !memory.is_uncut {
             let theta = self.theta.0 + length / self.h * (self.theta.1 - self.theta.0);
             let mut own = self.field((index, part), theta);
             let step = self.stepper.step(&mut own, x0, &mut memory.method, length);

@@ -17,7 +17,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         input: &M::Input,
     ) -> (f64, f64) {
-        let own = if self.memory.iter().any(PartMemory::sets_steps) {
+        let sets_steps = self.memory.iter().any(PartMemory::sets_steps);
+        let own = if sets_steps {
             f64::INFINITY
         } else {
             self.model.longest_step_at(self.mode, &self.state, input)
@@ -27,7 +28,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let nature = nature.faster(excess);
         let end = self.line(run, (own, &nature));
         // A dense output as good as the end leaves nothing to gain.
-        let may_aim = run.limits.forecast && !run.has_aimed && self.stepper.aims(&nature);
+        let may_aim =
+            run.limits.forecast && !run.has_aimed && !sets_steps && self.stepper.aims(&nature);
         (if may_aim { self.aimed(run, end) } else { end }, excess)
     }
 
@@ -60,7 +62,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let longest = longest.min(run.limits.longest_step);
         // An invalid length requests more pieces than there are.
         let longest = if longest > 0.0 { longest } else { 0.0 };
-        let reach = self.memory.iter().map(PartMemory::reach).fold(f64::INFINITY, f64::min) / run.h;
+        let reaches = self.memory.iter().map(|it| it.reach(run.limits.stretch));
+        let reach = reaches.fold(f64::INFINITY, f64::min) / run.h;
         if reach < 1.0 - run.theta {
             return reached(run, reach, longest / run.h);
         }

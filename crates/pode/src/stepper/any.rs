@@ -191,6 +191,13 @@ macro_rules! any {
                 }
             }
 
+            fn jump(&mut self) {
+                match self {
+                    Self::None => {}
+                    $(Self::$name(memory) => memory.jump()),+
+                }
+            }
+
             fn refuse(&mut self) {
                 match self {
                     Self::None => {}
@@ -198,10 +205,10 @@ macro_rules! any {
                 }
             }
 
-            fn reach(&self) -> f64 {
+            fn reach(&self, stretch: f64) -> f64 {
                 match self {
                     Self::None => f64::INFINITY,
-                    $(Self::$name(memory) => memory.reach()),+
+                    $(Self::$name(memory) => memory.reach(stretch)),+
                 }
             }
 

@@ -76,7 +76,7 @@ impl<M: Memory> Memory for Control<M> {
     }
 
     #[inline]
-    fn reach(&self) -> f64 {
+    fn reach(&self, _stretch: f64) -> f64 {
         self.reach
     }
 }

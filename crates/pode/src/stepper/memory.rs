@@ -18,9 +18,13 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     #[inline]
     fn begin_tick(&mut self) {}
 
-    /// Returns the longest step (s) that is worth trying next.
+    /// Notes that the input jumps here, which changes derivatives but not the state.
+    fn jump(&mut self) {}
+
+    /// Returns the longest step (s) that is worth trying next; methods that set their steps take them
+    /// `stretch` times as long as usual.
     #[inline]
-    fn reach(&self) -> f64 {
+    fn reach(&self, _stretch: f64) -> f64 {
         f64::INFINITY
     }
 

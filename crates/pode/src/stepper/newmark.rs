@@ -1,5 +1,6 @@
 use crate::dense::{Cubic, Dense as _};
 use crate::mechanical::{MAX_SPEEDS, MechanicalOutcome, MechanicalStep};
+use crate::nature::Nature;
 use crate::state::State;
 use crate::stepper::{Field, Memory, PowerRule, Rk4, Step, Stepper};
 
@@ -26,7 +27,8 @@ use crate::stepper::{Field, Memory, PowerRule, Rk4, Step, Stepper};
 ///
 /// Dense output: h u0, h²/2 a and β h² Δ are the terms of τ, τ² and τ³. A cubic through the rates at
 /// both ends would first move against Δ, since β is not 1/6. The acceleration is void after a reset,
-/// and then costs one more evaluation. Modes without a mechanical form, and slow ones, are stepped by
+/// and where the input jumps between two ticks, and then costs one evaluation of the derivative. An
+/// old one would delay the input by half a step. Modes without a mechanical form, and slow ones, are stepped by
 /// [`Rk4`].
 /// `[New59]`, `[Hug87]` 9.1; `[FG49]` for β = 1/12.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -51,8 +53,9 @@ const SHORT: f64 = 2.5e-4;
 const CONTACT_RADIANS: f64 = 0.5;
 const CONTACT_STEPS: (f64, f64) = (2e-5, 6.25e-5);
 
-/// Fraction of the tolerance below which steps grow.
+/// Fraction of the tolerance below which steps grow, and below which long ones may be stretched.
 const RELAXED: f64 = 1.0 / 16.0;
+const CALM: f64 = 0.25;
 
 /// Memory of [`Newmark`]: the last acceleration, and the next step.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -60,9 +63,13 @@ pub struct NewmarkMemory {
     acceleration: Option<[f64; MAX_SPEEDS]>,
     /// Length of the next step (s).
     next: f64,
+    /// Time until a contact opens that is followed apart (s): the next step ends there.
+    opens: Option<f64>,
     /// Time since the begin of the tick (s), without closed contacts.
     elapsed: f64,
     is_relaxed: bool,
+    /// `true` if steps may be stretched under overload.
+    is_calm: bool,
     is_repeated: bool,
     is_mechanical: bool,
 }
@@ -72,8 +79,10 @@ impl Default for NewmarkMemory {
         Self {
             acceleration: None,
             next: LONG,
+            opens: None,
             elapsed: 0.0,
             is_relaxed: false,
+            is_calm: false,
             is_repeated: false,
             is_mechanical: false,
         }
@@ -84,8 +93,8 @@ impl Memory for NewmarkMemory {
     #[inline]
     fn restart(&mut self) {
         self.acceleration = None;
-        self.next = CONTACT_STEPS.1;
-        (self.is_relaxed, self.is_repeated) = (false, false);
+        (self.next, self.opens) = (CONTACT_STEPS.1, None);
+        (self.is_relaxed, self.is_calm, self.is_repeated) = (false, false, false);
     }
 
     #[inline]
@@ -97,8 +106,17 @@ impl Memory for NewmarkMemory {
     }
 
     #[inline]
-    fn reach(&self) -> f64 {
-        if self.is_mechanical { self.next } else { f64::INFINITY }
+    fn jump(&mut self) {
+        self.acceleration = None;
+    }
+
+    #[inline]
+    fn reach(&self, stretch: f64) -> f64 {
+        if !self.is_mechanical {
+            return f64::INFINITY;
+        }
+        let usual = if self.is_calm { stretch * self.next } else { self.next };
+        self.opens.unwrap_or(usual)
     }
 
     #[inline]
@@ -115,7 +133,7 @@ impl NewmarkMemory {
         let is_at_rest = error < RELAXED;
         self.next = if is_at_rest { LONG.min(2.0 * h) } else { CONTACT_RADIANS / rate };
         self.next = self.next.clamp(least, if is_at_rest { LONG } else { most });
-        (self.is_relaxed, self.is_repeated) = (false, false);
+        (self.is_relaxed, self.is_calm, self.is_repeated) = (false, false, false);
     }
 
     /// Chooses the next step after one of `h` (s) with this relative `error`; returns `false` if
@@ -133,6 +151,7 @@ impl NewmarkMemory {
         // The error grows with the third power of the step; even steps cancel each other's.
         let pairs = 0.5 * self.elapsed / h;
         self.is_relaxed = error < RELAXED;
+        self.is_calm = error < CALM && h > LONG * (1.0 - ROUNDING);
         let may_grow =
             self.is_relaxed && (pairs - crate::math::floor(pairs + 0.25)).abs() < ROUNDING;
         let by = if error > 1.0 {
@@ -172,12 +191,13 @@ impl Stepper for Newmark {
             return Rk4.step(field, x0, &mut (), h);
         };
         memory.is_mechanical = true;
+        memory.opens = None;
         memory.acceleration = Some(step.acceleration);
         let refused = Step { is_accepted: false, ..Step::new(Cubic::still(x0)) };
         let end = match end {
             MechanicalOutcome::End(end) => end,
             MechanicalOutcome::Opens { after } => {
-                memory.next = after;
+                memory.opens = Some(after);
                 return refused;
             }
         };
@@ -188,6 +208,12 @@ impl Stepper for Newmark {
         }
         memory.acceleration = Some(end.acceleration);
         Step { powers: PowerRule::Trapezoid { absorbed: end.absorbed }, ..Step::new(end.dense) }
+    }
+
+    /// As RK4 does, which takes the steps whose length it does not set.
+    #[inline]
+    fn aims(&self, nature: &Nature) -> bool {
+        Rk4.aims(nature)
     }
 
     #[inline]

@@ -34,7 +34,14 @@ pub(super) fn mechanics(
         correction: functions.add_whole(graph, "correction", &correction)?,
         speeds: form.speeds,
         internal,
+        speed_entries: core::array::from_fn(|k| speed_entry(form, k)),
     }))
+}
+
+/// Returns the state's entry of a speed; 0 for one that there is not.
+fn speed_entry(form: &MechanicalEquations, k: usize) -> u8 {
+    let entry = form.roles.iter().position(|it| *it == EntryRole::Speed(k));
+    entry.and_then(|it| u8::try_from(it).ok()).unwrap_or(0)
 }
 
 /// A step over its start, its accelerations and its values.

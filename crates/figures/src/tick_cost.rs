@@ -1,0 +1,67 @@
+//! Time that a key's ticks take on this machine.
+
+use std::sync::Arc;
+use std::{fmt, time::Instant};
+
+use engine::voice::{BuildError, VoiceBuilder};
+use scene::{KeyVoice, Scene};
+use scheduler::motion::KeySample;
+use scheduler::voice::VoiceOutput;
+
+/// Strokes of which the quickest tick counts.
+const STROKES: usize = 10;
+
+const PRESS: f64 = 0.043_125;
+
+/// Times of a tick of one key (s), each the least over some strokes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct TickCost {
+    /// Middle of the ticks in which the key goes down.
+    pub moving: f64,
+    /// Longest tick of a loud stroke.
+    pub worst: f64,
+    /// Period of the tick (s).
+    pub period: f64,
+}
+
+impl fmt::Display for TickCost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { moving, worst, period } = self;
+        let [moving, worst] = [moving, worst].map(|it| 1e6 * it);
+        let part = moving / (1e4 * period);
+        write!(f, "{moving:.1} us a tick while it moves ({part:.2} % of the period), ")?;
+        write!(f, "{worst:.1} us in the longest of a loud stroke")
+    }
+}
+
+/// Returns the position (m) of a key at `t` (s), which is pressed in 43 ms from 20 ms on, held, and
+/// released from 0.3 s on.
+pub fn loud_stroke(t: f64) -> f64 {
+    let way = |z: f64| {
+        let z = z.clamp(0.0, 1.0);
+        z.powi(3) * (10.0 + z * (6.0 * z - 15.0))
+    };
+    11.5e-3 * (way((t - 0.02) / PRESS) - way((t - 0.3) / 0.08))
+}
+
+/// Plays a loud stroke of half a second on one voice, and measures its ticks.
+pub fn tick_cost(scene: &Scene, key: &KeyVoice) -> Result<TickCost, BuildError> {
+    let mut voice = VoiceBuilder::new(scene)?.voice(key, Arc::default())?;
+    let period = 1.0 / f64::from(scene.tick_hz);
+    let mut least = vec![f64::INFINITY; (scene.tick_hz / 2) as usize];
+    for _ in 0..STROKES {
+        voice.reset(&KeySample::fresh(0.0));
+        for (tick, time) in (0_u32..).zip(&mut least) {
+            let sample = KeySample::fresh(loud_stroke(f64::from(tick) * period));
+            let mut turn = VoiceOutput::default();
+            let start = Instant::now();
+            voice.tick(u64::from(tick), &sample, &mut turn);
+            *time = time.min(start.elapsed().as_secs_f64());
+        }
+    }
+    let worst = least.iter().copied().fold(0.0, f64::max);
+    let at = |t: f64| (t / period) as usize;
+    let mut moving = least[at(0.022)..at(0.02 + PRESS)].to_vec();
+    moving.sort_by(f64::total_cmp);
+    Ok(TickCost { moving: moving[moving.len() / 2], worst, period })
+}
