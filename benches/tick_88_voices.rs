@@ -27,6 +27,7 @@ use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
 use keys::{Copies, Held, Tables, just_before_a_strike, scheduler_at};
 use scheduler::motion::KEYS;
+use scheduler::observation::FollowedKeys;
 use scheduler::port::{FinishedTick, TickObserver};
 use setting::{TICKS, swing};
 use stage::{Stage, scene};
