@@ -106,7 +106,7 @@ fn what_is_left_out_saves_work_and_every_note_sounds_in_time() {
             0.0,
         ),
         (&[Simplification::Rest], 0.005, 0.03),
-        (&[Simplification::Steps], 0.1, 0.2),
+        (&[Simplification::Steps], 0.1, 0.3),
     ] {
         let simplified = all(simplified);
         let less = played(&scene, |_| simplified);

@@ -121,7 +121,7 @@ impl TickObserver for TurnLog {
         if 0 < waited {
             self.waits.push((seen.tick, waited));
         }
-        if seen.turns.iter().any(|turn| !turn.waited && turn.force == STALLED) {
+        if seen.turns.iter().any(|turn| !turn.waited && UNDISTURBED < turn.force) {
             self.stalls.push(seen.tick..seen.tick + 1);
         }
         let turn = &seen.turns[DISTURBED];

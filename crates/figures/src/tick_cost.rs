@@ -60,8 +60,10 @@ pub fn tick_cost(scene: &Scene, key: &KeyVoice) -> Result<TickCost, BuildError> 
         }
     }
     let worst = least.iter().copied().fold(0.0, f64::max);
-    let at = |t: f64| (t / period) as usize;
-    let mut moving = least[at(0.022)..at(0.02 + PRESS)].to_vec();
+    let is_moving = |tick: u32| (0.022..0.02 + PRESS).contains(&(f64::from(tick) * period));
+    let moving = (0_u32..).zip(&least).filter(|(tick, _)| is_moving(*tick));
+    let mut moving: Vec<_> = moving.map(|(_, time)| *time).collect();
     moving.sort_by(f64::total_cmp);
-    Ok(TickCost { moving: moving[moving.len() / 2], worst, period })
+    let moving = moving.get(moving.len() / 2).copied().unwrap_or(worst);
+    Ok(TickCost { moving, worst, period })
 }

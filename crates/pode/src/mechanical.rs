@@ -29,7 +29,6 @@ pub struct MechanicalEnd<S> {
 
 /// A step in mechanical form, or the reason why it must be shorter.
 #[derive(Clone, Copy, PartialEq, Debug)]
-#[expect(clippy::large_enum_variant, reason = "nearly each step is the large one")]
 pub enum MechanicalOutcome<S> {
     End(MechanicalEnd<S>),
     /// A contact that is followed apart opens inside the step: it must end `after` (s).

@@ -157,11 +157,11 @@ impl Visitor for Builder<'_> {
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let asked = self.render.stepper;
         let settings = self.settings(model.input_per_metre())?;
-        Ok(match asked {
-            Any::Newmark(newmark) => Box::new(RenderedKey::new(model, newmark, settings)),
-            Any::ByNeed(_) => Box::new(RenderedKey::new(model, Any::ByNeed(by_need), settings)),
-            _ => Box::new(RenderedKey::new(model, asked, settings)),
-        })
+        if let Any::Newmark(newmark) = asked {
+            return Ok(Box::new(RenderedKey::new(model, newmark, settings)));
+        }
+        let stepper = if let Any::ByNeed(_) = asked { Any::ByNeed(by_need) } else { asked };
+        Ok(Box::new(RenderedKey::new(model, stepper, settings)))
     }
 }
 

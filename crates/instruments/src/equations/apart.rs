@@ -66,8 +66,7 @@ impl StruckContact {
         if let Some(after) = end.opens.filter(|after| *after < h - MARGIN) {
             return Err(after + 0.5 * MARGIN);
         }
-        let power = |depth, rate| (force(law, depth, rate) - force(law, depth, 0.0)) * rate;
-        let at_ends = power(self.depth, self.rate) + power(end.depth, end.rate);
+        let at_ends = power(law, self.depth, self.rate) + power(law, end.depth, end.rate);
         Ok(Pulse {
             depth: end.depth - (self.depth + h * (self.rate + 0.5 * h * self.acceleration)),
             rate: end.rate - (self.rate + h * self.acceleration),
@@ -100,6 +99,11 @@ impl StruckContact {
     }
 }
 
+/// Returns the power that the law absorbs (W).
+fn power(law: impl Fn(f64, f64) -> [f64; 3] + Copy, depth: f64, rate: f64) -> f64 {
+    (force(law, depth, rate) - force(law, depth, 0.0)) * rate
+}
+
 fn force(law: impl Fn(f64, f64) -> [f64; 3], depth: f64, rate: f64) -> f64 {
     let [force, ..] = law(depth.max(0.0), rate);
     force
@@ -125,14 +129,11 @@ mod tests {
             match contact.pulse(next, law) {
                 Err(shorter) => next = shorter,
                 Ok(pulse) => {
-                    let power = |depth: f64, rate: f64| {
-                        (force(law, depth, rate) - force(law, depth, 0.0)) * rate
-                    };
-                    let start = power(contact.depth, contact.rate);
+                    let start = power(law, contact.depth, contact.rate);
                     contact.depth += next * contact.rate + pulse.depth;
                     contact.rate += pulse.rate;
-                    lost +=
-                        pulse.absorbed + 0.5 * next * (start + power(contact.depth, contact.rate));
+                    lost += pulse.absorbed
+                        + 0.5 * next * (start + power(law, contact.depth, contact.rate));
                     passed += next;
                     next = h;
                 }

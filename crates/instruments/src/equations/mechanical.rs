@@ -38,7 +38,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         if step.h == 0.0 {
             return Some(MechanicalOutcome::End(self.still(mechanics, (mode, pressed), x, input)));
         }
-        let strike = apart.map(|it| self.strike(&it, x, input, step)).transpose();
+        let strike = apart.map(|it| self.strike(it, x, input, step)).transpose();
         let strike = match strike {
             Err(after) => return Some(MechanicalOutcome::Opens { after }),
             Ok(strike) => strike,
@@ -97,7 +97,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     /// Follows a contact over a step; returns the length (s) of a shorter one if it opens inside.
     fn strike(
         &self,
-        apart: &ApartTable,
+        apart: ApartTable,
         x: &[f64; N],
         input: &Motion,
         step: &MechanicalStep,

@@ -57,6 +57,12 @@ const CONTACT_STEPS: (f64, f64) = (2e-5, 6.25e-5);
 const RELAXED: f64 = 1.0 / 16.0;
 const CALM: f64 = 0.25;
 
+/// Relative difference of lengths that are the same.
+const ROUNDING: f64 = 1e-9;
+
+/// A last step that there was not.
+const UNKNOWN: (f64, f64) = (0.0, f64::INFINITY);
+
 /// Memory of [`Newmark`]: the last acceleration, and the next step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NewmarkMemory {
@@ -67,9 +73,8 @@ pub struct NewmarkMemory {
     opens: Option<f64>,
     /// Time since the begin of the tick (s), without closed contacts.
     elapsed: f64,
-    is_relaxed: bool,
-    /// `true` if steps may be stretched under overload.
-    is_calm: bool,
+    /// Length (s) and error of the last step without closed contacts, as a part of the tolerance.
+    last: (f64, f64),
     is_repeated: bool,
     is_mechanical: bool,
 }
@@ -81,8 +86,7 @@ impl Default for NewmarkMemory {
             next: LONG,
             opens: None,
             elapsed: 0.0,
-            is_relaxed: false,
-            is_calm: false,
+            last: UNKNOWN,
             is_repeated: false,
             is_mechanical: false,
         }
@@ -94,13 +98,13 @@ impl Memory for NewmarkMemory {
     fn restart(&mut self) {
         self.acceleration = None;
         (self.next, self.opens) = (CONTACT_STEPS.1, None);
-        (self.is_relaxed, self.is_calm, self.is_repeated) = (false, false, false);
+        (self.last, self.is_repeated) = (UNKNOWN, false);
     }
 
     #[inline]
     fn begin_tick(&mut self) {
         self.elapsed = 0.0;
-        if self.is_relaxed {
+        if self.is_relaxed() {
             self.next = LONG.min(2.0 * self.next);
         }
     }
@@ -115,7 +119,7 @@ impl Memory for NewmarkMemory {
         if !self.is_mechanical {
             return f64::INFINITY;
         }
-        let usual = if self.is_calm { stretch * self.next } else { self.next };
+        let usual = if self.is_calm() { stretch * self.next } else { self.next };
         self.opens.unwrap_or(usual)
     }
 
@@ -126,6 +130,16 @@ impl Memory for NewmarkMemory {
 }
 
 impl NewmarkMemory {
+    fn is_relaxed(&self) -> bool {
+        self.last.1 < RELAXED
+    }
+
+    /// Returns `true` if the next step may be stretched under overload.
+    fn is_calm(&self) -> bool {
+        let (h, error) = self.last;
+        error < CALM && h > LONG * (1.0 - ROUNDING)
+    }
+
     /// Chooses the next step after one of `h` (s) with closed contacts, by their relative error and the
     /// fastest rate (rad/s).
     fn touch(&mut self, h: f64, error: f64, rate: f64) {
@@ -133,14 +147,13 @@ impl NewmarkMemory {
         let is_at_rest = error < RELAXED;
         self.next = if is_at_rest { LONG.min(2.0 * h) } else { CONTACT_RADIANS / rate };
         self.next = self.next.clamp(least, if is_at_rest { LONG } else { most });
-        (self.is_relaxed, self.is_calm, self.is_repeated) = (false, false, false);
+        (self.last, self.is_repeated) = (UNKNOWN, false);
     }
 
     /// Chooses the next step after one of `h` (s) with this relative `error`; returns `false` if
     /// that step must be repeated.
     fn judge(&mut self, h: f64, error: f64) -> bool {
         const REPEATED: f64 = 8.0;
-        const ROUNDING: f64 = 1e-9;
         let is_repeated = error > REPEATED && h > SHORT * (1.0 + ROUNDING) && !self.is_repeated;
         self.is_repeated = is_repeated;
         if is_repeated {
@@ -150,10 +163,9 @@ impl NewmarkMemory {
         self.elapsed += h;
         // The error grows with the third power of the step; even steps cancel each other's.
         let pairs = 0.5 * self.elapsed / h;
-        self.is_relaxed = error < RELAXED;
-        self.is_calm = error < CALM && h > LONG * (1.0 - ROUNDING);
+        self.last = (h, error);
         let may_grow =
-            self.is_relaxed && (pairs - crate::math::floor(pairs + 0.25)).abs() < ROUNDING;
+            self.is_relaxed() && (pairs - crate::math::floor(pairs + 0.25)).abs() < ROUNDING;
         let by = if error > 1.0 {
             0.5
         } else if may_grow {
