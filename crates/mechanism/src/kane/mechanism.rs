@@ -193,7 +193,7 @@ pub struct Force {
     pub tension: Node,
     /// Energy stored (J); what of the tension is not its slope is dissipated.
     pub energy: Node,
-    /// The tension over [`STRETCH`], where it is built as a law of the stretch and its rate.
+    /// The tension over symbols for the stretch and its rate, where it is built as a law of both.
     pub law: Option<Node>,
 }
 
