@@ -8,7 +8,7 @@ pub const MAX_SPEEDS: usize = 8;
 /// A step in mechanical form, before it is taken. See [`Newmark`](crate::stepper::Newmark).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MechanicalStep {
-    /// Length (s). A step of 0 finds the acceleration at its start.
+    /// Length (s).
     pub h: f64,
     /// Accelerations that predict the step, one for each speed.
     pub acceleration: [f64; MAX_SPEEDS],
@@ -50,6 +50,10 @@ pub struct PressedContact {
 pub trait Mechanical<M, S, I> {
     /// Whether `mode` has a mechanical form, and is not so slow that another method suits it better.
     fn suits(&self, mode: M) -> bool;
+
+    /// Returns the acceleration of each speed at `x`, without a contact that is followed apart; `None`
+    /// in a mode that it does not suit.
+    fn acceleration(&self, mode: M, x: &S, input: &I) -> Option<[f64; MAX_SPEEDS]>;
 
     /// Takes a step from `x`, with the input at the step's end; `None` in a mode that it does not
     /// suit.

@@ -2,8 +2,8 @@
 
 use pode::contacts::{ContactIndices, ContactMode, ContactSet, ContactSystem};
 use pode::{
-    Cubic, Dense as _, MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalOutcome, MechanicalStep,
-    Motion, PressedContact,
+    Cubic, MAX_SPEEDS, Mechanical, MechanicalEnd, MechanicalOutcome, MechanicalStep, Motion,
+    PressedContact,
 };
 
 use crate::equations::apart::{Pulse, StruckContact};
@@ -33,12 +33,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         step: &MechanicalStep,
     ) -> Option<MechanicalOutcome<[f64; N]>> {
         let mechanics = self.mechanics(mode)?;
-        let apart = self.apart_contact(mode, closed);
-        let pressed = if apart.is_some() { ContactSet::OPEN.closed() } else { closed };
-        if step.h == 0.0 {
-            return Some(MechanicalOutcome::End(self.still(mechanics, (mode, pressed), x, input)));
-        }
-        let strike = apart.map(|it| self.strike(it, x, input, step)).transpose();
+        let (apart, pressed) = self.apart_and_pressed(mode, closed);
+        let strike = apart.map(|it| self.strike((mechanics, it), x, input, step)).transpose();
         let strike = match strike {
             Err(after) => return Some(MechanicalOutcome::Opens { after }),
             Ok(strike) => strike,
@@ -67,37 +63,35 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         Some(MechanicalOutcome::End(end))
     }
 
-    /// Returns the accelerations at `x`, as of a step without length.
-    fn still(
+    fn mechanical_acceleration(
         &self,
-        mechanics: &MechanicsTable,
-        (mode, pressed): (ModeNumber, ContactIndices),
+        (mode, closed): (ModeNumber, ContactIndices),
         x: &[f64; N],
         input: &Motion,
-    ) -> MechanicalEnd<[f64; N]> {
+    ) -> Option<[f64; MAX_SPEEDS]> {
+        let mechanics = self.mechanics(mode)?;
+        let (_apart, pressed) = self.apart_and_pressed(mode, closed);
         let rates = ContactSystem::derivative(self, mode, pressed, x, input);
         let of_speed = |k: usize| rates[usize::from(mechanics.speed_entries[k]) % N];
-        let n = mechanics.speeds;
-        MechanicalEnd {
-            dense: Cubic::still(x),
-            acceleration: core::array::from_fn(|k| if k < n { of_speed(k) } else { 0.0 }),
-            error: 0.0,
-            contact: None,
-            absorbed: 0.0,
-        }
+        Some(core::array::from_fn(|k| if k < mechanics.speeds { of_speed(k) } else { 0.0 }))
     }
 
-    /// Returns the only closed contact, if it can be followed apart.
-    fn apart_contact(&self, mode: ModeNumber, closed: ContactIndices) -> Option<ApartTable> {
+    /// Returns the only closed contact if it can be followed apart, and those that are not.
+    fn apart_and_pressed(
+        &self,
+        mode: ModeNumber,
+        closed: ContactIndices,
+    ) -> (Option<ApartTable>, ContactIndices) {
         let mut all = closed.into_iter();
-        let (Some(only), None) = (all.next(), all.next()) else { return None };
-        self.contact(mode, only)?.gradients.apart
+        let only = all.next().filter(|_| all.next().is_none());
+        let apart = only.and_then(|it| self.contact(mode, it)?.gradients.apart);
+        (apart, if apart.is_some() { ContactSet::OPEN.closed() } else { closed })
     }
 
     /// Follows a contact over a step; returns the length (s) of a shorter one if it opens inside.
     fn strike(
         &self,
-        apart: ApartTable,
+        (mechanics, apart): (&MechanicsTable, ApartTable),
         x: &[f64; N],
         input: &Motion,
         step: &MechanicalStep,
@@ -111,16 +105,17 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             self.call_with(apart.law, (x, &rates), &[depth, rate], &mut out);
             out
         };
-        let entry = |list: &[f64], at: u8| list.get(usize::from(at)).copied().unwrap_or(0.0);
+        let number = usize::from(apart.speed) % MAX_SPEEDS;
+        let speed_entry = mechanics.speed_entries[number];
         let contact = StruckContact {
             depth,
-            rate: slope * entry(x, apart.entries.1),
-            acceleration: slope * entry(&step.acceleration, apart.speed),
+            rate: slope * x[usize::from(speed_entry) % N],
+            acceleration: slope * step.acceleration[number],
             mobility: slope * slope / mass,
         };
         let Pulse { depth, rate, absorbed } = contact.pulse(step.h, law)?;
         Ok(StatePulse {
-            entries: apart.entries,
+            entries: (apart.coordinate, speed_entry),
             place: depth / slope,
             speed: rate / slope,
             absorbed,
@@ -211,6 +206,15 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Mechanical<ModeNumber
         self.mechanics(mode).is_some()
     }
 
+    fn acceleration(
+        &self,
+        mode: ModeNumber,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<[f64; MAX_SPEEDS]> {
+        self.mechanical_acceleration((mode, ContactSet::OPEN.closed()), x, input)
+    }
+
     fn step(
         &self,
         mode: ModeNumber,
@@ -229,6 +233,17 @@ impl<F: Equations + Clone, const N: usize, const C: usize>
         self.mechanics(mode.structure).is_some()
     }
 
+    /// Returns `None` also where a friction sticks or slides.
+    fn acceleration(
+        &self,
+        mode: ContactMode<ModeNumber>,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<[f64; MAX_SPEEDS]> {
+        let mode = without_friction(mode)?;
+        self.mechanical_acceleration(mode, x, input)
+    }
+
     /// Returns `None` also where a friction sticks or slides, or a closed contact has no slopes.
     fn step(
         &self,
@@ -237,9 +252,13 @@ impl<F: Equations + Clone, const N: usize, const C: usize>
         input: &Motion,
         step: &MechanicalStep,
     ) -> Option<MechanicalOutcome<[f64; N]>> {
-        let ContactMode { structure, contacts } = mode;
-        let is_still = contacts.sticking().is_empty() && contacts.sliding().is_empty();
-        let step = Some(step).filter(|_| is_still)?;
-        self.mechanical_step((structure, contacts.closed()), x, input, step)
+        self.mechanical_step(without_friction(mode)?, x, input, step)
     }
+}
+
+/// Returns the structure and its closed contacts; `None` where a friction sticks or slides.
+fn without_friction(mode: ContactMode<ModeNumber>) -> Option<(ModeNumber, ContactIndices)> {
+    let ContactMode { structure, contacts } = mode;
+    let is_still = contacts.sticking().is_empty() && contacts.sliding().is_empty();
+    is_still.then(|| (structure, contacts.closed()))
 }

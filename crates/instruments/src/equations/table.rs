@@ -455,9 +455,10 @@ pub struct ApartTable {
     /// Computes the force (N), its slope by the depth, and its slope by the depth's rate, from depth
     /// and rate in `extra`.
     pub law: FunctionId,
-    /// Number of the speed, and the state's entries of its coordinate and of itself.
+    /// Number of the speed.
     pub speed: u8,
-    pub entries: (u8, u8),
+    /// The state's entry of its coordinate.
+    pub coordinate: u8,
 }
 
 /// A contact in one mode.

@@ -80,6 +80,13 @@ pub struct MechanicalEquations {
     pub contacts: Vec<Option<PressedForce>>,
 }
 
+impl MechanicalEquations {
+    /// Returns the state's entry with this role.
+    pub fn entry(&self, role: EntryRole) -> Option<usize> {
+        self.roles.iter().position(|it| *it == role)
+    }
+}
+
 /// Force of a closed contact in a mechanical form.
 #[derive(Clone, Debug)]
 pub struct PressedForce {

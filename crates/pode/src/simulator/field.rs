@@ -1,7 +1,7 @@
 //! One mode's equations over one step, with counted evaluations.
 
 use crate::input::Signal;
-use crate::mechanical::{MechanicalOutcome, MechanicalStep};
+use crate::mechanical::{MAX_SPEEDS, MechanicalOutcome, MechanicalStep};
 use crate::model::{Guarded, Model};
 use crate::nature::Nature;
 use crate::outcome::Work;
@@ -125,13 +125,22 @@ impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
     }
 
     #[inline]
+    fn mechanical_acceleration(&mut self, x: &M::State) -> Option<[f64; MAX_SPEEDS]> {
+        let mechanical = self.model.mechanical()?;
+        let input = self.input(0.0);
+        let found = mechanical.acceleration(self.mode, x, &input);
+        self.derivatives += u32::from(found.is_some());
+        found
+    }
+
+    #[inline]
     fn mechanical_step(
         &mut self,
         x: &M::State,
         step: &MechanicalStep,
     ) -> Option<MechanicalOutcome<M::State>> {
         let mechanical = self.model.mechanical()?;
-        let input = self.input(if step.h > 0.0 { 1.0 } else { 0.0 });
+        let input = self.input(1.0);
         let end = mechanical.step(self.mode, x, &input, step);
         self.derivatives += u32::from(end.is_some());
         end

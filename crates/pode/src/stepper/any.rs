@@ -1,5 +1,5 @@
 use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
-use crate::mechanical::{MechanicalOutcome, MechanicalStep};
+use crate::mechanical::{MAX_SPEEDS, MechanicalOutcome, MechanicalStep};
 use crate::nature::Nature;
 use crate::part::Part;
 use crate::state::State;
@@ -141,6 +141,10 @@ impl<S: State> Field<S> for Erased<'_, S> {
 
     fn jacobian(&mut self, tau: f64, x: &S) -> S::Matrix {
         self.0.jacobian(tau, x)
+    }
+
+    fn mechanical_acceleration(&mut self, x: &S) -> Option<[f64; MAX_SPEEDS]> {
+        self.0.mechanical_acceleration(x)
     }
 
     fn mechanical_step(&mut self, x: &S, step: &MechanicalStep) -> Option<MechanicalOutcome<S>> {

@@ -1,7 +1,7 @@
 //! The right-hand side over one step, for a method.
 
 use crate::math::sqrt;
-use crate::mechanical::{MechanicalOutcome, MechanicalStep};
+use crate::mechanical::{MAX_SPEEDS, MechanicalOutcome, MechanicalStep};
 use crate::nature::Nature;
 use crate::state::Matrix as _;
 use crate::state::State;
@@ -20,6 +20,12 @@ pub trait Field<S: State> {
             return unit_differences(|x| self.derivative(tau, x));
         }
         differences(x, |x| self.derivative(tau, x))
+    }
+
+    /// Returns the accelerations in mechanical form at `x`, the state at the step's start; `None`
+    /// without one.
+    fn mechanical_acceleration(&mut self, _x: &S) -> Option<[f64; MAX_SPEEDS]> {
+        None
     }
 
     /// Takes a step in mechanical form from `x`, the state at the step's start; `None` without one.

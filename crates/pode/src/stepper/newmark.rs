@@ -28,9 +28,8 @@ use crate::stepper::{Field, Memory, PowerRule, Rk4, Step, Stepper};
 /// Dense output: h u0, h²/2 a and β h² Δ are the terms of τ, τ² and τ³. A cubic through the rates at
 /// both ends would first move against Δ, since β is not 1/6. The acceleration is void after a reset,
 /// and where the input jumps between two ticks, and then costs one evaluation of the derivative. An
-/// old one would delay the input by half a step. Modes without a mechanical form, and slow ones, are stepped by
-/// [`Rk4`].
-/// `[New59]`, `[Hug87]` 9.1; `[FG49]` for β = 1/12.
+/// old one would delay the input by half a step. Modes without a mechanical form, and slow ones, are
+/// stepped by [`Rk4`]. `[New59]`, `[Hug87]` 9.1; `[FG49]` for β = 1/12.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Newmark {
     /// Force (N) by which the correction may move an element.
@@ -195,7 +194,7 @@ impl Stepper for Newmark {
         memory: &mut NewmarkMemory,
         h: f64,
     ) -> Step<S, Cubic<S>> {
-        let start = memory.acceleration.or_else(|| acceleration(field, x0));
+        let start = memory.acceleration.or_else(|| field.mechanical_acceleration(x0));
         let step = start.map(|acceleration| MechanicalStep { h, acceleration });
         let Some((step, end)) = step.and_then(|it| Some((it, field.mechanical_step(x0, &it)?)))
         else {
@@ -231,15 +230,5 @@ impl Stepper for Newmark {
     #[inline]
     fn is_mechanical(&self) -> bool {
         true
-    }
-}
-
-/// Returns M⁻¹ Q at `x`.
-#[cold]
-fn acceleration<S: State>(field: &mut impl Field<S>, x: &S) -> Option<[f64; MAX_SPEEDS]> {
-    let still = MechanicalStep { h: 0.0, acceleration: [0.0; MAX_SPEEDS] };
-    match field.mechanical_step(x, &still)? {
-        MechanicalOutcome::End(end) => Some(end.acceleration),
-        MechanicalOutcome::Opens { .. } => None,
     }
 }

@@ -41,9 +41,8 @@ pub(super) fn contacts(
         let name = builder.context.mechanism.contacts.get(contact.contact);
         let name = name.map_or("contact", |contact| contact.name.as_str());
         let mut table = self::contact(graph, functions, builder, (name, contact))?;
-        if let Some((form, Some(pressed))) =
-            mechanical.zip(mechanical.and_then(|it| it.contacts.get(at)))
-        {
+        let pressed = mechanical.and_then(|it| Some((it, it.contacts.get(at)?.as_ref()?)));
+        if let Some((form, pressed)) = pressed {
             let what = format!("{name}_mechanics");
             table.gradients.mechanics =
                 Some(builder.add(graph, functions, &what, &pressed.added)?);
@@ -62,18 +61,13 @@ fn apart(
     builder: &ModeBuilder<'_>,
     (name, form, force): (&str, &MechanicalEquations, &ApartForce),
 ) -> Result<Option<ApartTable>, AssemblyError> {
-    let entry = |role: EntryRole| {
-        let at = form.roles.iter().position(|it| *it == role)?;
-        u8::try_from(at).ok()
-    };
-    let (place, own) = (EntryRole::Coordinate(force.speed), EntryRole::Speed(force.speed));
-    let (Some(entries), Ok(speed)) = (entry(place).zip(entry(own)), u8::try_from(force.speed))
-    else {
+    let coordinate = form.entry(EntryRole::Coordinate(force.speed)).map(u8::try_from);
+    let (Some(Ok(coordinate)), Ok(speed)) = (coordinate, u8::try_from(force.speed)) else {
         return Ok(None);
     };
     let place = builder.add(graph, functions, &format!("{name}_place"), &force.place)?;
     let law = builder.add(graph, functions, &format!("{name}_law"), &force.law)?;
-    Ok(Some(ApartTable { place, law, speed, entries }))
+    Ok(Some(ApartTable { place, law, speed, coordinate }))
 }
 
 fn contact(

@@ -40,7 +40,7 @@ pub(super) fn mechanics(
 
 /// Returns the state's entry of a speed; 0 for one that there is not.
 fn speed_entry(form: &MechanicalEquations, k: usize) -> u8 {
-    let entry = form.roles.iter().position(|it| *it == EntryRole::Speed(k));
+    let entry = form.entry(EntryRole::Speed(k));
     entry.and_then(|it| u8::try_from(it).ok()).unwrap_or(0)
 }
 
@@ -85,7 +85,7 @@ impl<'a> StepForm<'a> {
 
     /// Returns the speed `k` at the start.
     fn speed(&mut self, k: usize) -> Node {
-        let entry = self.form.roles.iter().position(|it| *it == EntryRole::Speed(k));
+        let entry = self.form.entry(EntryRole::Speed(k));
         self.graph.symbol(self.places[entry.unwrap_or_default()])
     }
 

@@ -188,10 +188,9 @@ impl ModeScope<'_> {
                 let added = slopes.added(graph, speeds.len());
                 let added = added.iter().map(|it| ends.of(graph, *it)).collect();
                 // A contact without a sound may rest.
-                let is_struck = contact.sounds.is_some();
-                let struck = Some(force).filter(|_| is_struck);
-                let apart =
-                    struck.and_then(|it| self.apart(graph, forms, (it, &slopes), (speeds, places)));
+                let apart = contact
+                    .sounds
+                    .and_then(|_| self.apart(graph, forms, (force, &slopes), (speeds, places)));
                 PressedForce { added, apart }
             }));
         }
