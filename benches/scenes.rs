@@ -14,7 +14,6 @@ mod setting;
 #[path = "../tests/stage/mod.rs"]
 mod stage;
 
-use std::f64::consts::TAU;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -25,7 +24,7 @@ use keys::{Copies, Held, Tables, just_before_a_strike, scheduler_at};
 use scene::Scene;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::voice::VoiceOutput;
-use setting::TICKS;
+use setting::{TICKS, swing_between};
 use stage::{Nobody, Stage, scene};
 
 const SCENES: [(&str, u32); 4] =
@@ -33,7 +32,7 @@ const SCENES: [(&str, u32); 4] =
 
 const CHORD: usize = 10;
 
-/// Rounds of which the quickest counts.
+/// Number of rounds: the fastest one is reported.
 const ROUNDS: usize = 40;
 
 fn main() {
@@ -73,11 +72,8 @@ fn moving(scene: &Scene) -> f64 {
 fn swings() -> Vec<[f64; TICKS]> {
     let quantum = RigParameters::default().quantum;
     let one = |key: usize| {
-        let swings = (1 + key % 3) as f64;
-        std::array::from_fn(|tick| {
-            let angle = TAU * (swings * tick as f64 / TICKS as f64 + key as f64 / KEYS as f64);
-            ((5e-3 - 4e-3 * angle.cos()) / quantum).round() * quantum
-        })
+        let phase = key as f64 / KEYS as f64;
+        swing_between((1e-3, 9e-3), 1 + key % 3, phase, quantum)
     };
     (0..KEYS).map(one).collect()
 }
@@ -112,12 +108,11 @@ fn forces(scene: &Scene) -> Vec<f64> {
     let key = scene.keys[39].as_ref().expect("a voice");
     let mut voice = builder.voice(key, Arc::default()).expect("a model of ours");
     voice.reset(&KeySample::fresh(0.0));
-    let tick = |tick: u32| {
-        let t = f64::from(tick) / f64::from(scene.tick_hz);
+    let force = |(tick, sample)| {
         let mut turn = VoiceOutput::default();
-        voice.tick(u64::from(tick), &KeySample::fresh(loud_stroke(t)), &mut turn);
+        voice.tick(tick, &sample, &mut turn);
         assert!(turn.fault.is_none(), "{:?}", turn.fault);
         turn.force
     };
-    (0..scene.tick_hz / 2).map(tick).collect()
+    loud_stroke(scene.tick_hz).map(force).collect()
 }

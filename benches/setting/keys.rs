@@ -5,16 +5,15 @@
 use std::sync::Arc;
 
 use boards::sim::key::SimulatedKey;
-use engine::voice::{RehearsableVoice, VoiceBuilder};
+use engine::voice::{CopiedVoice, VoiceBuilder};
 use haptics::RigParameters;
 use scene::Scene;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::observation::VoiceObservation;
 use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Period, Timetable};
-use scheduler::voice::{Voice, VoiceOutput};
+use scheduler::voice::VoiceOutput;
 
 use crate::setting::TICKS;
 use crate::stage::{Nobody, stroke};
@@ -53,29 +52,7 @@ impl KeyBus for Held {
     }
 }
 
-pub struct Copied(pub Box<dyn RehearsableVoice>);
-
-impl Clone for Copied {
-    fn clone(&self) -> Self {
-        Self(self.0.copy())
-    }
-}
-
-impl Voice for Copied {
-    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        self.0.tick(tick, sample, turn);
-    }
-
-    fn observe(&self, seen: &mut VoiceObservation) {
-        self.0.observe(seen);
-    }
-
-    fn reset(&mut self, sample: &KeySample) {
-        self.0.reset(sample);
-    }
-}
-
-pub struct Copies(pub Vec<Slot<Copied>>);
+pub struct Copies(pub Vec<Slot<CopiedVoice>>);
 
 impl Lanes for Copies {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
@@ -95,11 +72,11 @@ pub fn scheduler_at(tick: u64, hz: u32) -> Box<Scheduler> {
     scheduler
 }
 
-pub fn just_before_a_strike(scene: &Scene) -> (Slot<Copied>, u64, f64) {
+pub fn just_before_a_strike(scene: &Scene) -> (Slot<CopiedVoice>, u64, f64) {
     let assembler = VoiceBuilder::new(scene).expect("a scene of ours");
     let described = scene.keys[39].as_ref().expect("a voice");
     let voice = assembler.voice(described, Arc::default()).expect("a model of ours");
-    let mut slot = Slot::new(39, Copied(voice));
+    let mut slot = Slot::new(39, CopiedVoice(voice));
     let mut key = SimulatedKey::new(1.0 / f64::from(scene.tick_hz), RigParameters::default())
         .expect("a period");
     key.play(vec![stroke(0.1, 0.3, haptics::Touch::Pressed, 0.5)]);

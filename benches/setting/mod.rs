@@ -57,9 +57,19 @@ pub const TICKS: usize = 512;
 /// Key positions (m) of one slow swing between 1 and 4 mm, `phase` of it ahead, in steps of
 /// `quantum` (m): so slow that a hammer stays on its key and no event occurs.
 pub fn swing(phase: f64, quantum: f64) -> [f64; TICKS] {
+    swing_between((1e-3, 4e-3), 1, phase, quantum)
+}
+
+/// Key positions (m) of several swings between two of them.
+pub fn swing_between(
+    (least, most): (f64, f64),
+    swings: usize,
+    phase: f64,
+    quantum: f64,
+) -> [f64; TICKS] {
     std::array::from_fn(|tick| {
-        let angle = TAU * (tick as f64 / TICKS as f64 + phase);
-        let position = 2.5e-3 - 1.5e-3 * angle.cos();
+        let angle = TAU * ((swings * tick) as f64 / TICKS as f64 + phase);
+        let position = 0.5 * (least + most) - 0.5 * (most - least) * angle.cos();
         (position / quantum).round() * quantum
     })
 }

@@ -14,13 +14,13 @@ use pianist::{
     Struck, assess,
 };
 use scene::KeyVoice;
-use scheduler::motion::{KeyEvent, KeySample, Moment};
+use scheduler::motion::{KeyEvent, Moment};
 use scheduler::safety::KeyGate;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
-use scheduler::voice::{TurnRules, Voice, VoiceOutput};
+use scheduler::voice::VoiceOutput;
 
-use engine::voice::{BuildError, RehearsableVoice, VoiceBuilder};
+use engine::voice::{BuildError, CopiedVoice, RehearsableVoice, VoiceBuilder};
 
 /// Error in the rehearsal of a scene's key.
 #[derive(Debug, thiserror::Error)]
@@ -93,33 +93,11 @@ const LOOK: f64 = 10e-3;
 /// Its parts are the running host's, so rehearsed output equals played output bit for bit.
 pub struct RehearsedKey {
     key: SimulatedKey,
-    slot: Slot<Copied>,
+    slot: Slot<CopiedVoice>,
     gate: KeyGate,
     tick: u64,
     period: f64,
     work: Option<Arc<RehearsalWork>>,
-}
-
-struct Copied(Box<dyn RehearsableVoice>);
-
-impl Clone for Copied {
-    fn clone(&self) -> Self {
-        Self(self.0.copy())
-    }
-}
-
-impl Voice for Copied {
-    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        self.0.tick(tick, sample, turn);
-    }
-
-    fn restrict(&mut self, rules: TurnRules) {
-        self.0.restrict(rules);
-    }
-
-    fn reset(&mut self, sample: &KeySample) {
-        self.0.reset(sample);
-    }
 }
 
 impl RehearsedKey {
@@ -133,7 +111,7 @@ impl RehearsedKey {
         voice.end_audit();
         Self {
             key,
-            slot: Slot::new(number, Copied(voice)),
+            slot: Slot::new(number, CopiedVoice(voice)),
             gate: KeyGate::new(period, slew),
             tick: 0,
             period: period.as_secs_f64(),

@@ -4,11 +4,12 @@ use std::sync::Arc;
 use std::{fmt, time::Instant};
 
 use engine::voice::{BuildError, VoiceBuilder};
+use haptics::quintic;
 use scene::{KeyVoice, Scene};
 use scheduler::motion::KeySample;
 use scheduler::voice::VoiceOutput;
 
-/// Strokes of which the quickest tick counts.
+/// Number of strokes: of each tick the fastest one is reported.
 const STROKES: usize = 10;
 
 const PRESS: f64 = 0.043_125;
@@ -34,14 +35,14 @@ impl fmt::Display for TickCost {
     }
 }
 
-/// Returns the position (m) of a key at `t` (s), which is pressed in 43 ms from 20 ms on, held, and
-/// released from 0.3 s on.
-pub fn loud_stroke(t: f64) -> f64 {
-    let way = |z: f64| {
-        let z = z.clamp(0.0, 1.0);
-        z.powi(3) * (10.0 + z * (6.0 * z - 15.0))
-    };
-    11.5e-3 * (way((t - 0.02) / PRESS) - way((t - 0.3) / 0.08))
+/// Returns the ticks of half a second with the samples of a key that is pressed in 43 ms from 20 ms
+/// on, held, and released from 0.3 s on.
+pub fn loud_stroke(tick_hz: u32) -> impl Iterator<Item = (u64, KeySample)> {
+    (0..tick_hz / 2).map(move |tick| {
+        let t = f64::from(tick) / f64::from(tick_hz);
+        let position = 11.5e-3 * (quintic((t - 0.02) / PRESS) - quintic((t - 0.3) / 0.08));
+        (u64::from(tick), KeySample::fresh(position))
+    })
 }
 
 /// Plays a loud stroke of half a second on one voice, and measures its ticks.
@@ -51,11 +52,10 @@ pub fn tick_cost(scene: &Scene, key: &KeyVoice) -> Result<TickCost, BuildError> 
     let mut least = vec![f64::INFINITY; (scene.tick_hz / 2) as usize];
     for _ in 0..STROKES {
         voice.reset(&KeySample::fresh(0.0));
-        for (tick, time) in (0_u32..).zip(&mut least) {
-            let sample = KeySample::fresh(loud_stroke(f64::from(tick) * period));
+        for ((tick, sample), time) in loud_stroke(scene.tick_hz).zip(&mut least) {
             let mut turn = VoiceOutput::default();
             let start = Instant::now();
-            voice.tick(u64::from(tick), &sample, &mut turn);
+            voice.tick(tick, &sample, &mut turn);
             *time = time.min(start.elapsed().as_secs_f64());
         }
     }

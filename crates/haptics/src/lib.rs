@@ -41,7 +41,7 @@ pub use limits::{ForceGate, Gated, LimitError};
 pub use passivity::{EnergyBound, PassivityController, PassivityObserver};
 pub use plant::{
     Encoder, Felt, Finger, FingerParameters, Gesture, Grasp, HandCommand, KeyFront, KeyParameters,
-    KeyRig, Motor, MotorParameters, MuscleCommand, RigParameters, Touch,
+    KeyRig, Motor, MotorParameters, MuscleCommand, RigParameters, Touch, quintic,
 };
 pub use stability::{RoundedDevice, SampledWall};
 pub use swing::Swing;

@@ -31,4 +31,4 @@ mod tests;
 pub use audit::{AuditCell, AuditReport};
 pub use builder::{AnyVoice, BuildError, VoiceBuilder};
 pub use carried::KeyMemory;
-pub use rendered_key::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
+pub use rendered_key::{CopiedVoice, RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};

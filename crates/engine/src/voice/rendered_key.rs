@@ -1,6 +1,6 @@
 //! A pode model as the scheduler's voice: sample in, force out.
 
-use std::sync::Arc;
+use std::{fmt, sync::Arc};
 
 use haptics::{DeviceCompensation, ForceGate, KeyMotion, PassivityController, PassivityObserver};
 use instruments::{ModelEntry, Playable, hammer_speed};
@@ -34,6 +34,39 @@ pub trait RehearsableVoice: Voice + Send {
 
     /// Ends the energy audit, unless forces depend on it. A motion that diverges then goes unseen.
     fn end_audit(&mut self);
+}
+
+/// A rehearsable voice by value: its clones are copies.
+pub struct CopiedVoice(pub Box<dyn RehearsableVoice>);
+
+impl fmt::Debug for CopiedVoice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("CopiedVoice").finish_non_exhaustive()
+    }
+}
+
+impl Clone for CopiedVoice {
+    fn clone(&self) -> Self {
+        Self(self.0.copy())
+    }
+}
+
+impl Voice for CopiedVoice {
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        self.0.tick(tick, sample, turn);
+    }
+
+    fn observe(&self, seen: &mut VoiceObservation) {
+        self.0.observe(seen);
+    }
+
+    fn restrict(&mut self, rules: TurnRules) {
+        self.0.restrict(rules);
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        self.0.reset(sample);
+    }
 }
 
 /// A key's model in motion, between its sensor and its motor.

@@ -20,3 +20,4 @@ pub use gesture::{Gesture, MuscleCommand, Touch};
 pub use key::{KeyFront, KeyParameters};
 pub use motor::{MAX_DELAY_STEPS, Motor, MotorParameters};
 pub use rig::{KeyRig, MAX_SUBSTEP, MAX_SUBSTEPS, RigParameters};
+pub use smooth::quintic;

@@ -13,7 +13,7 @@ pub(super) fn cubic_integral(x: f64) -> f64 {
 }
 
 /// Quintic step with zero slope and curvature at both ends.
-pub(super) fn quintic(x: f64) -> f64 {
+pub fn quintic(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * x * (10.0 + x * (6.0 * x - 15.0))
 }
